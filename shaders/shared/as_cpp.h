@@ -1,0 +1,53 @@
+// The shared GLSL as C++ in double precision: one formula for shader, plan, prediction and test.
+// C++ includes this file, never a .glsl file. Files that look tables up declare the look-ups they
+// need; such a file is not listed here but included by the one .cpp that supplies its tables, inside
+// `namespace antumbra::glsl`, between GLSL_AS_CPP's definition and its end.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#define GLSL_AS_CPP
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wunused-const-variable"
+namespace antumbra::glsl {
+namespace {
+using Number = double;
+using Angle = double;
+using Length = double;
+using Area = double;
+using InverseLength = double;
+using Position = glm::dvec3;
+using Direction = glm::dvec3;
+using Spectrum = glm::dvec4;
+using TableCoordinates = glm::dvec2;
+using Index = int;
+using glm::abs;
+using glm::acos;
+using glm::asin;
+using glm::atan;
+using glm::clamp;
+using glm::cos;
+using glm::cross;
+using glm::dot;
+using glm::exp;
+using glm::exp2;
+using glm::floor;
+using glm::length;
+using glm::log;
+using glm::log2;
+using glm::max;
+using glm::min;
+using glm::mix;
+using glm::normalize;
+using glm::pow;
+using glm::sin;
+using glm::smoothstep;
+using glm::sqrt;
+using glm::step;
+using glm::tan;
+#include "shared/quantities.glsl"
+}  // namespace
+}  // namespace antumbra::glsl
+#pragma GCC diagnostic pop
+#undef GLSL_AS_CPP
