@@ -3,6 +3,4 @@
 
 #include <CLI/CLI.hpp>
 
-namespace antumbra {
-
-}  // namespace antumbra
+namespace antumbra {}  // namespace antumbra

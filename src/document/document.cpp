@@ -15,14 +15,11 @@ struct Unit {
   std::string_view name;
   double si;
 };
-constexpr Unit kLengths[] = {{"m", 1.0},          {"km", 1e3},  {"au", astronomicalUnit.si},
-                             {"mm", 1e-3},        {"um", 1e-6}, {"nm", 1e-9}};
-constexpr Unit kAngles[] = {{"deg", degree.si},
-                            {"arcmin", arcminute.si},
-                            {"arcsec", arcsecond.si},
-                            {"rad", 1.0}};
-constexpr Unit kTimes[] = {
-    {"s", 1.0}, {"ms", 1e-3}, {"min", 60.0}, {"h", 3600.0}, {"d", 86400.0}};
+constexpr Unit kLengths[] = {{"m", 1.0},   {"km", 1e3},  {"au", astronomicalUnit.si},
+                             {"mm", 1e-3}, {"um", 1e-6}, {"nm", 1e-9}};
+constexpr Unit kAngles[] = {
+    {"deg", degree.si}, {"arcmin", arcminute.si}, {"arcsec", arcsecond.si}, {"rad", 1.0}};
+constexpr Unit kTimes[] = {{"s", 1.0}, {"ms", 1e-3}, {"min", 60.0}, {"h", 3600.0}, {"d", 86400.0}};
 
 std::string_view trimmed(std::string_view text) {
   auto const first = text.find_first_not_of(" \t");
@@ -44,8 +41,7 @@ double parseWithUnit(std::string_view given, const Unit (&units)[N], const char*
   auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{}) throw explain("not a number with a unit");
   if (!std::isfinite(value)) throw explain("not a finite number");
-  std::string_view const unit =
-      trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
+  std::string_view const unit = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
   for (auto const& u : units)
     if (u.name == unit) return value * u.si;
   throw explain(unit.empty() ? "no unit" : "wrong unit");
@@ -53,13 +49,20 @@ double parseWithUnit(std::string_view given, const Unit (&units)[N], const char*
 
 const char* kindOf(const toml::node& node) {
   switch (node.type()) {
-    case toml::node_type::table: return "a table";
-    case toml::node_type::array: return "an array";
-    case toml::node_type::string: return "a string";
-    case toml::node_type::integer: return "an integer";
-    case toml::node_type::floating_point: return "a number";
-    case toml::node_type::boolean: return "a boolean";
-    default: return "a date";
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "an array";
+    case toml::node_type::string:
+      return "a string";
+    case toml::node_type::integer:
+      return "an integer";
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "a boolean";
+    default:
+      return "a date";
   }
 }
 
@@ -128,8 +131,7 @@ void Table::fail(std::string_view key, const std::string& message) const {
 
 std::string Table::textOf(std::string_view key, const char* wanted) const {
   const toml::node& node = required(key);
-  if (!node.is_string())
-    fail(key, fmt::format("found {}; allowed: {}", kindOf(node), wanted));
+  if (!node.is_string()) fail(key, fmt::format("found {}; allowed: {}", kindOf(node), wanted));
   return node.as_string()->get();
 }
 
@@ -152,8 +154,7 @@ long Table::integer(std::string_view key) const {
 
 bool Table::boolean(std::string_view key) const {
   const toml::node& node = required(key);
-  if (!node.is_boolean())
-    fail(key, fmt::format("found {}; allowed: true or false", kindOf(node)));
+  if (!node.is_boolean()) fail(key, fmt::format("found {}; allowed: true or false", kindOf(node)));
   return node.as_boolean()->get();
 }
 

@@ -1,17 +1,18 @@
-// TOML documents whose every value remembers its file and line. Typed getters explain what was found
-// and what is allowed; `finish()` refuses keys that nobody read, so a misspelt key is an error.
+// TOML documents whose every value remembers its file and line. Typed getters explain what was
+// found and what is allowed; `finish()` refuses keys that nobody read, so a misspelt key is an
+// error.
 //
-// Quantities are written as strings with their unit ("6378.137 km", "25.687 deg"); a unit of another
-// dimension is an error. No domain knowledge lives here.
+// Quantities are written as strings with their unit ("6378.137 km", "25.687 deg"); a unit of
+// another dimension is an error. No domain knowledge lives here.
 #pragma once
 
+#include <toml++/toml.h>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
-#include <toml++/toml.h>
 #include <vector>
 
 #include "document/input_error.h"
@@ -19,8 +20,8 @@
 
 namespace antumbra {
 
-// Parse "<number> <unit>". Units: length m km au nm um mm; angle deg arcmin arcsec rad; time s ms min
-// h d. `where` opens the message of the InputError that is thrown otherwise.
+// Parse "<number> <unit>". Units: length m km au nm um mm; angle deg arcmin arcsec rad; time s ms
+// min h d. `where` opens the message of the InputError that is thrown otherwise.
 Length parseLength(std::string_view text, const std::string& where);
 Angle parseAngle(std::string_view text, const std::string& where);
 Duration parseDuration(std::string_view text, const std::string& where);
@@ -35,7 +36,8 @@ class Table {
   Table(const toml::table& table, std::string file, std::string path);
 
   bool has(std::string_view key) const;
-  // Required values: each throws InputError naming file, line, key, what was found, what is allowed.
+  // Required values: each throws InputError naming file, line, key, what was found, what is
+  // allowed.
   std::string text(std::string_view key) const;
   double number(std::string_view key) const;
   long integer(std::string_view key) const;

@@ -1,6 +1,6 @@
-// Where the project's own files (catalogs, configs, shaders) lie: the folder named by the environment
-// variable ANTUMBRA_ROOT, else the folder of the program or one above it that holds `catalogs` and
-// `shaders`, else the source tree it was built from.
+// Where the project's own files (catalogs, configs, shaders) lie: the folder named by the
+// environment variable ANTUMBRA_ROOT, else the folder of the program or one above it that holds
+// `catalogs` and `shaders`, else the source tree it was built from.
 #pragma once
 
 #include <filesystem>

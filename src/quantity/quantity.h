@@ -1,7 +1,8 @@
 // Physical quantities as types: a length is not an angle and kilometres are not metres.
 // A quantity holds its value in SI units (metre, second, radian) in double precision. It is made by
-// multiplying a number with a unit and read by dividing by one: `6378.137 * kilometre`, `h / metre`.
-// Angles carry a dimension of their own, so that an angle and a plain ratio cannot be mixed up.
+// multiplying a number with a unit and read by dividing by one: `6378.137 * kilometre`, `h /
+// metre`. Angles carry a dimension of their own, so that an angle and a plain ratio cannot be mixed
+// up.
 #pragma once
 
 #include <cmath>
