@@ -1,0 +1,71 @@
+#include "gl/shader_source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "document/input_error.h"
+#include "document/paths.h"
+
+namespace antumbra::gl {
+namespace {
+
+void appendFile(const std::string& path, const std::string& from, ShaderSource& source) {
+  if (std::find(source.files.begin(), source.files.end(), path) != source.files.end()) return;
+  std::ifstream stream(shadersFolder() / path);
+  if (!stream)
+    throw InputError(
+        fmt::format("{}: shader file shaders/{} is missing or unreadable", from, path));
+  std::size_t const index = source.files.size();
+  source.files.push_back(path);
+  source.text += fmt::format("#line 1 {}\n", index);
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    auto const start = line.find_first_not_of(" \t");
+    if (start != std::string::npos && line.compare(start, 8, "#include") == 0) {
+      auto const open = line.find('"');
+      auto const close = line.find('"', open + 1);
+      if (open == std::string::npos || close == std::string::npos)
+        throw InputError(fmt::format("shaders/{}:{}: found \"{}\"; allowed: #include \"path\"",
+                                     path, number, line));
+      appendFile(line.substr(open + 1, close - open - 1),
+                 fmt::format("shaders/{}:{}", path, number), source);
+      source.text += fmt::format("#line {} {}\n", number + 1, index);
+    } else {
+      source.text += line + '\n';
+    }
+  }
+}
+
+}  // namespace
+
+ShaderSource loadShader(const std::string& path, const Definitions& definitions) {
+  ShaderSource source;
+  source.text = "#version 450 core\n";
+  for (auto const& [name, value] : definitions)
+    source.text += fmt::format("#define {} {}\n", name, value);
+  appendFile(path, "program", source);
+  return source;
+}
+
+std::string explainLog(const std::string& log, const ShaderSource& source) {
+  static const std::regex place(R"(^(\d+)[:(](\d+)\)?)");
+  std::stringstream in(log);
+  std::string line, out;
+  while (std::getline(in, line)) {
+    std::smatch match;
+    if (std::regex_search(line, match, place)) {
+      auto const index = static_cast<std::size_t>(std::stoul(match[1]));
+      if (index < source.files.size())
+        line = fmt::format("shaders/{}:{}{}", source.files[index], match[2].str(),
+                           match.suffix().str());
+    }
+    out += line + '\n';
+  }
+  return out;
+}
+
+}  // namespace antumbra::gl
