@@ -1,0 +1,46 @@
+// One body as a pass draws it: geometry from the camera, in double precision and camera axes, ready
+// to be narrowed to floats; nothing here is a difference of large numbers that a shader would redo.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "frame/frames.h"
+#include "quantity/vector.h"
+#include "view/projection.h"
+
+namespace antumbra {
+
+struct PlannedBody {
+  std::string name;
+  // From the camera to the body's centre: apparent (light time and aberration), camera axes.
+  Displacement<CameraAxes> centre;
+  Rotation<BodyFixed, CameraAxes> bodyFromCamera;
+  Length equatorialRadius;
+  Length polarRadius;
+  // From the body's centre to the Sun as its light arrives there, body-fixed axes.
+  Displacement<BodyFixed> sun;
+  // What hides the Sun from it: casters with a live shadow, positions from the body's centre as
+  // their shadow arrives, body-fixed axes.
+  struct Caster {
+    std::string name;
+    Displacement<BodyFixed> centre;
+    Length radius;
+  };
+  std::vector<Caster> casters;
+
+  // Height of the camera above the spheroid in the space in which the body is a sphere of its
+  // equatorial radius (axes scaled by equatorial/polar along the pole), from a double subtraction.
+  Length cameraHeight;
+  Angle angularRadius;        // as seen from the camera
+  double diameterPixels = 0;  // in the picture
+  PixelBounds bounds;         // of its disc (with its air)
+
+  std::string map;         // file under catalogs/, or empty
+  std::string atmosphere;  // medium file stem under catalogs/atmospheres, or empty
+  glm::vec3 albedo{0.0f};  // linear sRGB Bond-like albedo where there is no map
+  bool cameraInAir = false;
+};
+
+}  // namespace antumbra
