@@ -47,6 +47,7 @@ using glm::sqrt;
 using glm::step;
 using glm::tan;
 #include "shared/quantities.glsl"
+#include "shared/phase.glsl"
 #include "shared/projection.glsl"
 }  // namespace
 }  // namespace antumbra::glsl

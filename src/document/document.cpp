@@ -104,6 +104,11 @@ Table::Table(const toml::table& table, std::string file, std::string path)
 
 bool Table::has(std::string_view key) const { return table_->contains(key); }
 
+bool Table::holdsTable(std::string_view key) const {
+  const toml::node* node = table_->get(key);
+  return node && node->is_table();
+}
+
 const toml::node* Table::find(std::string_view key) const {
   read_->emplace(key);
   return table_->get(key);

@@ -36,6 +36,7 @@ class Table {
   Table(const toml::table& table, std::string file, std::string path);
 
   bool has(std::string_view key) const;
+  bool holdsTable(std::string_view key) const;  // present, and a table
   // Required values: each throws InputError naming file, line, key, what was found, what is
   // allowed.
   std::string text(std::string_view key) const;
