@@ -48,6 +48,8 @@ using glm::step;
 using glm::tan;
 #include "shared/quantities.glsl"
 #include "shared/phase.glsl"
+#include "shared/pixel_scale.glsl"
+#include "shared/point_spread.glsl"
 #include "shared/projection.glsl"
 }  // namespace
 }  // namespace antumbra::glsl

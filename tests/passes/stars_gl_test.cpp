@@ -1,0 +1,177 @@
+// Point sources keep their flux and their place in every projection.
+#include "passes/stars.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "gl/framebuffer.h"
+#include "gl/view_block.h"
+#include "shared/as_cpp.h"
+#include "tests/support/gl_fixture.h"
+
+namespace antumbra {
+namespace {
+
+using StarsGlTest = testsupport::GlTest;
+
+// Solid angle of a pixel by Girard's theorem from its four corners' directions: independent of the
+// shared function that the shader divides by. Two spherical triangles.
+double solidAngleFromCorners(const Projection& projection, int x, int y) {
+  glm::dvec3 corner[4];
+  int const dx[] = {0, 1, 1, 0}, dy[] = {0, 0, 1, 1};
+  for (int i = 0; i < 4; ++i) {
+    auto const d = projection.directionAt(x + dx[i], y + dy[i]);
+    if (!d) return 0.0;
+    corner[i] = d->u;
+  }
+  auto const triangle = [](glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
+    // Van Oosterom & Strackee 1983.
+    double const volume = std::fabs(glm::dot(a - b, glm::cross(b - c, c)));
+    return 2.0 * std::atan2(volume, 1.0 + glm::dot(a, b) + glm::dot(b, c) + glm::dot(c, a));
+  };
+  return triangle(corner[0], corner[1], corner[2]) + triangle(corner[0], corner[2], corner[3]);
+}
+
+struct Measured {
+  double lux = 0.0;
+  glm::dvec2 centroid{0.0};
+};
+
+Measured measure(const Projection& projection, const gl::Texture& image) {
+  Measured m;
+  std::vector<float> const texels = image.readRgba();
+  double values = 0.0;
+  for (int y = 0; y < projection.height; ++y)
+    for (int x = 0; x < projection.width; ++x) {
+      double const value = texels[static_cast<std::size_t>(4 * (y * projection.width + x)) + 1];
+      if (value == 0.0) continue;
+      double const flux = value * solidAngleFromCorners(projection, x, y);
+      m.lux += flux;
+      values += flux;
+      m.centroid += flux * glm::dvec2(x + 0.5, y + 0.5);
+    }
+  m.centroid /= values;
+  return m;
+}
+
+Measured drawOne(const Projection& projection, StarsPass& pass, glm::dvec3 direction, float lux) {
+  auto const target = gl::Texture::plane(GL_RGBA32F, projection.width, projection.height);
+  gl::Framebuffer const framebuffer({&target});
+  gl::Buffer view;
+  view.write(gl::viewBlockOf(projection));
+  view.bindUniform(0);
+  framebuffer.bind();
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  StarPoint const star{direction, glm::vec3(lux)};
+  pass.draw(std::span<const StarPoint>(&star, 1));
+  return measure(projection, target);
+}
+
+TEST_F(StarsGlTest, FluxAndPlaceSurviveEveryProjection) {
+  struct Case {
+    Projection projection;
+    double fluxTolerance;  // relative
+  };
+  // The solid angle within a pixel varies most beside an equirectangular pole: 0.5 %.
+  Case const cases[] = {
+      {{ProjectionKind::Perspective, 60.0 * degree, 320, 180}, 1e-3},
+      {{ProjectionKind::Perspective, 140.0 * degree, 320, 180}, 1e-3},
+      {{ProjectionKind::Perspective, 0.01 * degree, 320, 320}, 1e-3},
+      {{ProjectionKind::Fisheye, 180.0 * degree, 256, 256}, 1e-3},
+      {{ProjectionKind::Fisheye, 300.0 * degree, 256, 256}, 1e-3},
+      {{ProjectionKind::Equirectangular, 360.0 * degree, 320, 160}, 5e-3},
+  };
+  std::mt19937 random(3);
+  for (auto const& c : cases) {
+    StarsPass pass(c.projection.kind);
+    std::uniform_real_distribution<double> x(4.0, c.projection.width - 4.0);
+    std::uniform_real_distribution<double> y(4.0, c.projection.height - 4.0);
+    for (int i = 0; i < 12; ++i) {
+      glm::dvec2 const at{x(random), y(random)};
+      auto const d = c.projection.directionAt(at.x, at.y);
+      // Away from a fisheye's mask, which cuts the footprint.
+      if (!d || (c.projection.kind == ProjectionKind::Fisheye &&
+                 glm::length(at - glm::dvec2(128.0)) > 122.0))
+        continue;
+      Measured const m = drawOne(c.projection, pass, d->u, 2.54e-6f);
+      EXPECT_NEAR(m.lux / 2.54e-6, 1.0, c.fluxTolerance)
+          << nameOf(c.projection.kind) << " at " << at.x << "," << at.y;
+      // Pixels; the pixel's own solid angle weighs the centroid, so a hundredth is left.
+      EXPECT_NEAR(m.centroid.x, at.x, 0.02) << nameOf(c.projection.kind);
+      EXPECT_NEAR(m.centroid.y, at.y, 0.02) << nameOf(c.projection.kind);
+    }
+  }
+}
+
+TEST_F(StarsGlTest, AStarOnTheDateLineLosesNothing) {
+  Projection const p{ProjectionKind::Equirectangular, 360.0 * degree, 320, 160};
+  StarsPass pass(p.kind);
+  for (double longitude : {179.8, -179.8, 178.5}) {
+    double const l = longitude * degree.si;
+    Measured const m = drawOne(p, pass, {std::sin(l), 0.0, -std::cos(l)}, 1e-6f);
+    EXPECT_NEAR(m.lux / 1e-6, 1.0, 1e-3) << longitude;
+  }
+}
+
+TEST_F(StarsGlTest, NothingIsDrawnBehindAPerspective) {
+  Projection const p{ProjectionKind::Perspective, 60.0 * degree, 64, 64};
+  StarsPass pass(p.kind);
+  EXPECT_EQ(drawOne(p, pass, {0.0, 0.0, 1.0}, 1.0f).lux, 0.0);
+}
+
+TEST_F(StarsGlTest, TilesTogetherHoldWhatThePictureHolds) {
+  Projection const p{ProjectionKind::Fisheye, 180.0 * degree, 64, 64};
+  StarsPass pass(p.kind);
+  auto const d = p.directionAt(32.3, 31.2);  // its footprint lies on four tiles
+  StarPoint const star{d->u, glm::vec3(1e-6f)};
+  Measured const whole = drawOne(p, pass, d->u, 1e-6f);
+  double sum = 0.0;
+  auto const target = gl::Texture::plane(GL_RGBA32F, 32, 32);
+  gl::Framebuffer const framebuffer({&target});
+  for (int tile = 0; tile < 4; ++tile) {
+    gl::Buffer view;
+    glm::ivec2 const origin{32 * (tile % 2), 32 * (tile / 2)};
+    view.write(gl::viewBlockOf(p, origin));
+    view.bindUniform(0);
+    framebuffer.bind();
+    glClear(GL_COLOR_BUFFER_BIT);
+    pass.draw(std::span<const StarPoint>(&star, 1));
+    std::vector<float> const texels = target.readRgba();
+    for (int y = 0; y < 32; ++y)
+      for (int x = 0; x < 32; ++x)
+        sum += texels[static_cast<std::size_t>(4 * (y * 32 + x))] *
+               solidAngleFromCorners(p, origin.x + x, origin.y + y);
+  }
+  EXPECT_NEAR(sum / whole.lux, 1.0, 1e-4);
+}
+
+// The shared solid angle against Girard's theorem.
+TEST(PixelScale, SolidAnglesCoverTheSphere) {
+  double sum = 0.0;
+  for (int y = 0; y < 400; ++y) {
+    glm::dvec3 const ray = glsl::equirectangularRay(0.1, 2.0 * (y + 0.5) / 400.0 - 1.0).direction;
+    sum += 800.0 * glsl::equirectangularPixelSolidAngle(ray, 800.0, 400.0);
+  }
+  EXPECT_NEAR(sum, 4.0 * std::numbers::pi, 1e-4);
+  Projection const dome{ProjectionKind::Fisheye, 220.0 * degree, 500, 500};
+  Projection const flat{ProjectionKind::Perspective, 100.0 * degree, 500, 300};
+  for (double x : {100.5, 250.5, 420.5})
+    for (double y : {120.5, 150.5, 260.5}) {
+      auto const at = [&](const Projection& p) {
+        return solidAngleFromCorners(p, static_cast<int>(x), static_cast<int>(y));
+      };
+      double const radius = std::hypot(x - 250.0, y - 250.0) / 250.0;
+      EXPECT_NEAR(glsl::fisheyePixelSolidAngle(radius, 110.0 * degree.si, 500.0, 500.0) / at(dome),
+                  1.0, 1e-4);
+      glm::dvec2 const e = flat.extent();
+      glm::dvec3 const ray =
+          glsl::perspectiveRay(2.0 * x / 500.0 - 1.0, 2.0 * y / 300.0 - 1.0, e.x, e.y).direction;
+      EXPECT_NEAR(glsl::perspectivePixelSolidAngle(ray, e.x, e.y, 500.0, 300.0) / at(flat), 1.0,
+                  1e-4);
+    }
+}
+
+}  // namespace
+}  // namespace antumbra
