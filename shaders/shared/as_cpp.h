@@ -20,6 +20,7 @@ using InverseLength = double;
 using Position = glm::dvec3;
 using Direction = glm::dvec3;
 using Spectrum = glm::dvec4;
+using Colour = glm::dvec3;
 using TableCoordinates = glm::dvec2;
 using Index = int;
 using glm::abs;
@@ -51,6 +52,7 @@ using glm::tan;
 #include "shared/pixel_scale.glsl"
 #include "shared/point_spread.glsl"
 #include "shared/projection.glsl"
+#include "shared/tone_curve.glsl"
 }  // namespace
 }  // namespace antumbra::glsl
 #pragma GCC diagnostic pop
