@@ -1,7 +1,7 @@
 // The shared GLSL as C++ in double precision: one formula for shader, plan, prediction and test.
 // C++ includes this file, never a .glsl file. Files that look tables up declare the look-ups they
-// need; such a file is not listed here but included by the one .cpp that supplies its tables, inside
-// `namespace antumbra::glsl`, between GLSL_AS_CPP's definition and its end.
+// need; such a file is not listed here but included by the one .cpp that supplies its tables,
+// inside `namespace antumbra::glsl`, between GLSL_AS_CPP's definition and its end.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,8 +10,8 @@
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #pragma GCC diagnostic ignored "-Wunused-const-variable"
+// Types and names are the program's; the functions are compiled into each file that uses them.
 namespace antumbra::glsl {
-namespace {
 using Number = double;
 using Angle = double;
 using Length = double;
@@ -47,7 +47,11 @@ using glm::smoothstep;
 using glm::sqrt;
 using glm::step;
 using glm::tan;
+#include "shared/eclipse_types.glsl"
 #include "shared/quantities.glsl"
+namespace {
+#include "shared/eclipse.glsl"
+#include "shared/limb_darkening.glsl"
 #include "shared/phase.glsl"
 #include "shared/pixel_scale.glsl"
 #include "shared/point_spread.glsl"

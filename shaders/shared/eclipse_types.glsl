@@ -1,0 +1,64 @@
+// What the shadow functions (eclipse.glsl, limb_darkening.glsl) pass around. Apart from them, so
+// that in C++ the types belong to the program while the functions are compiled into each user.
+#ifndef SHARED_ECLIPSE_TYPES_GLSL
+#define SHARED_ECLIPSE_TYPES_GLSL
+#include "shared/quantities.glsl"
+
+// A law of limb darkening at four wavelengths (limb_darkening.glsl; eclipse/limb_darkening.h).
+struct LimbDarkening {
+  Spectrum exponent;     // alpha of mu^alpha
+  Spectrum brightness0;  // polynomial of mu: brightness relative to the disc's mean
+  Spectrum brightness1;
+  Spectrum brightness2;
+  Spectrum brightness3;
+  Spectrum brightness4;
+  Spectrum brightness5;
+  Spectrum ring0;  // polynomial of mu: light between a ring and the limb, over mu^(2 + alpha)
+  Spectrum ring1;
+  Spectrum ring2;
+  Spectrum ring3;
+  Spectrum ring4;
+  Spectrum ring5;
+};
+
+// The Sun and one occulter in the sky of a point, as circles in a plane.
+struct DiscPair {
+  Angle sun;     // radius of the Sun
+  Angle excess;  // radius of the occulter minus that of the Sun
+  Angle gap;  // widest part of the visible crescent: separation minus excess. Total eclipse where
+              // gap <= 0; nothing hidden where gap >= 2 sun
+};
+
+// The shadow that a sphere casts, prepared in double precision on the CPU for points near an origin
+// (eclipse/shadow_pair.h). Fills four vec4 in this order. Radii are measured across the axis.
+struct ShadowPair {
+  Position foot;          // point of the shadow axis nearest the origin
+  Length umbraRadius;     // at the foot; negative beyond the apex (antumbra)
+  Direction axis;         // away from the Sun
+  Length penumbraRadius;  // at the foot
+  Length casterBehind;    // from the caster's centre to the foot along the axis
+  Length sunBehind;       // from the Sun's centre to the foot along the axis
+  Length casterRadius;
+  Length sunRadius;
+  Number umbraTangent;  // loss of umbral radius per metre along the axis
+  Number umbraSine;     // of the umbral cone's half-angle
+  Number umbraCosine;
+  Number penumbraTangent;  // gain of penumbral radius per metre along the axis
+};
+
+// Where a point lies in a shadow.
+struct ShadowPlace {
+  Length along;     // along the axis from the foot, away from the Sun
+  Length distance;  // from the axis
+  Direction away;   // unit vector from the axis to the point; any unit vector on the axis
+};
+
+// Where a ray crosses a cone. `count` is 0 or 2; between `first` and `second` the ray is inside the
+// cone if `insideBetween` is 1, and outside if it is 0 (a ray steeper than the cone's flank).
+struct ConeCrossing {
+  Index count;
+  Length first;
+  Length second;
+  Number insideBetween;
+};
+#endif
