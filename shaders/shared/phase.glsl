@@ -2,7 +2,7 @@
 // integral over the sphere is 1. `cosine` is that of the scattering angle, 1 = straight on.
 #ifndef SHARED_PHASE_GLSL
 #define SHARED_PHASE_GLSL
-#include "quantities.glsl"
+#include "shared/quantities.glsl"
 
 // Molecules, without depolarisation (Rayleigh 1871).
 Number rayleighPhase(Number cosine) { return 3.0 / (16.0 * kPi) * (1.0 + cosine * cosine); }
