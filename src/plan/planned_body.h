@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "eclipse/shadow_pair.h"
 #include "frame/frames.h"
 #include "quantity/vector.h"
 #include "view/projection.h"
@@ -26,7 +27,7 @@ struct PlannedBody {
   struct Caster {
     std::string name;
     Displacement<BodyFixed> centre;
-    Length radius;
+    ShadowRadii radii;
   };
   std::vector<Caster> casters;
 

@@ -1,0 +1,236 @@
+#include "plan/render_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "eclipse/shadow_convention.h"
+#include "eclipse/shadow_pair.h"
+#include "photometry/magnitude.h"
+
+namespace antumbra {
+namespace {
+
+// Air reaches no higher than this above any catalogued body's spheroid in units of its radius; only
+// used to enlarge rectangles and cones, so generous.
+constexpr double kAirReach = 0.06;
+// Below this diameter in pixels a body is a point of light.
+constexpr double kPointPixels = 0.5;
+
+Angle angularRadius(Length radius, Length distance) {
+  if (distance <= radius) return Angle(std::numbers::pi);
+  return Angle(std::asin(radius / distance));
+}
+
+std::string pixels(double p) {
+  return p >= 10 ? fmt::format("{:.0f} px", p) : fmt::format("{:.2f} px", p);
+}
+
+bool overlapsPicture(const Projection& picture, Direction<CameraAxes> direction, Angle radius) {
+  return !boundsOfCap(picture, direction, radius).empty();
+}
+
+// Phase angle at the body between Sun and observer.
+Angle phaseAngle(const PlacedBody& b) { return angleBetween(b.sunFromBody, -b.fromCamera); }
+
+// Shadows that touch the receiver or its air.
+std::vector<PlannedBody::Caster> liveCasters(const PlacedBody& receiver,
+                                             const ShadowConvention& convention, RenderPlan& plan) {
+  std::vector<PlannedBody::Caster> casters;
+  Length const reach = (1.0 + kAirReach) * receiver.body->equatorialRadius;
+  auto const sun = receiver.bodyFromIcrs(receiver.sunFromBody);
+  for (auto const& neighbour : receiver.neighbours) {
+    auto const centre = receiver.bodyFromIcrs(neighbour.fromBody);
+    ShadowRadii const radii =
+        convention.radiiOf(neighbour.body->name, neighbour.body->equatorialRadius);
+    auto const pair = shadowPair(sun, centre, radii);
+    if (!glsl::mayBeShaded(pair, glm::dvec3(0.0), reach.si)) continue;
+    casters.push_back({neighbour.body->name, centre, radii});
+    plan.shadows.push_back(
+        {fmt::format("{} on {}", neighbour.body->name, receiver.body->name),
+         fmt::format("its axis passes {:.0f} km from the centre, penumbra {:.0f} km wide",
+                     glm::length(pair.foot) / 1e3, 2.0 * pair.penumbraRadius / 1e3)});
+  }
+  return casters;
+}
+
+}  // namespace
+
+RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
+  RenderPlan plan;
+  plan.picture = scene.picture;
+  const Projection& picture = scene.picture;
+  ShadowConvention const convention = ShadowConvention::named(scene.shadows.convention, scene.file);
+  const PlacedBody* sun = nullptr;
+  for (auto const& b : placed.bodies)
+    if (b.body->kind == "star") sun = &b;
+
+  std::vector<std::pair<Length, PlannedBody>> discs;
+  for (std::size_t i = 0; i < placed.bodies.size(); ++i) {
+    const PlacedBody& b = placed.bodies[i];
+    auto const inCamera = placed.cameraFromIcrs(b.fromCamera);
+    Length const distance = norm(inCamera);
+    auto const direction = directionOf(inCamera);
+    Angle const radius = angularRadius(b.body->equatorialRadius, distance);
+    double const diameter = 2.0 * (radius / picture.pixelAngle());
+    if (&b == sun) {
+      plan.sun.direction = direction;
+      plan.sun.angularRadius = angularRadius(convention.sunRadius, distance);
+      plan.sun.distance = distance;
+      plan.sun.bounds = boundsOfCap(picture, direction, radius);
+      plan.sun.inPicture = !plan.sun.bounds.empty();
+      continue;
+    }
+    bool const isAnchor = i == placed.anchor;
+    if (diameter < kPointPixels && !isAnchor) {
+      if (!overlapsPicture(picture, direction, picture.pixelAngle())) {
+        plan.leftOut.push_back({b.body->name, "outside the picture"});
+        continue;
+      }
+      auto const magnitude =
+          b.body->magnitude.apparent(phaseAngle(b), norm(b.sunFromBody), distance);
+      if (!magnitude) {
+        plan.leftOut.push_back(
+            {b.body->name,
+             fmt::format("a point ({}), and no magnitude is published at a phase angle "
+                         "of {:.1f} deg",
+                         pixels(diameter), phaseAngle(b) / degree)});
+        continue;
+      }
+      plan.points.push_back(
+          {b.body->name, direction, illuminanceLuxOfMagnitude(*magnitude), b.body->colorIndexBv});
+      plan.drawn.push_back(
+          {b.body->name, fmt::format("a point of V {:.2f}: its disc is {}, below {} px", *magnitude,
+                                     pixels(diameter), kPointPixels)});
+      continue;
+    }
+    PlannedBody p;
+    p.name = b.body->name;
+    p.centre = inCamera;
+    p.bodyFromCamera = b.bodyFromIcrs * placed.cameraFromIcrs.inverse();
+    // The silhouette that hides the Sun is the one whose shadow is predicted.
+    ShadowRadii const silhouette = convention.radiiOf(b.body->name, b.body->equatorialRadius);
+    p.equatorialRadius = silhouette.casterUmbra;
+    p.polarRadius = b.body->polarRadius * (silhouette.casterUmbra / b.body->equatorialRadius);
+    p.sun = b.bodyFromIcrs(b.sunFromBody);
+    p.angularRadius = radius;
+    p.diameterPixels = diameter;
+    p.atmosphere = b.body->atmosphere;
+    Length const reach = (p.atmosphere.empty() ? 1.0 : 1.0 + kAirReach) * b.body->equatorialRadius;
+    Angle const capRadius = angularRadius(reach, distance);
+    // Half a pixel more, for the antialiased limb.
+    p.bounds = boundsOfCap(picture, direction, capRadius + picture.pixelAngle());
+    if (p.bounds.empty()) {
+      plan.leftOut.push_back({b.body->name, "outside the picture"});
+      continue;
+    }
+    // The camera in the space in which the body is a sphere: axes stretched along the pole.
+    glm::dvec3 const offset = -b.bodyFromIcrs(b.fromCamera).m;
+    double const a = b.body->equatorialRadius.si, c = b.body->polarRadius.si;
+    glm::dvec3 const scaled{offset.x, offset.y, offset.z * (a / c)};
+    p.cameraHeight = Length(glm::length(scaled) - a);
+    p.cameraInAir = !p.atmosphere.empty() && p.cameraHeight.si < kAirReach * a;
+    p.map = b.body->surface.map;
+    p.albedo = b.body->surface.reflectance;
+    p.casters = liveCasters(b, convention, plan);
+    plan.drawn.push_back({b.body->name, isAnchor ? fmt::format("the camera is {:.3f} km above it",
+                                                               p.cameraHeight / kilometre)
+                                                 : fmt::format("a disc of {}", pixels(diameter))});
+    discs.emplace_back(distance, p);
+  }
+  std::sort(discs.begin(), discs.end(),
+            [](auto const& x, auto const& y) { return x.first > y.first; });
+  for (auto& [distance, p] : discs) plan.bodies.push_back(std::move(p));
+
+  // The Sun is wholly hidden only where the whole of it lies behind one body's spheroid (its polar
+  // radius is the safe one).
+  for (auto const& b : plan.bodies) {
+    Length const distance = norm(b.centre);
+    if (distance >= plan.sun.distance) continue;
+    Angle const disc = angularRadius(b.polarRadius, distance);
+    if (angleBetween(directionOf(b.centre), plan.sun.direction) + plan.sun.angularRadius < disc &&
+        angleBetween(directionOf(b.centre), plan.sun.direction) + 12.0 * plan.sun.angularRadius <
+            disc) {
+      plan.sun.hiddenByBody = true;
+      plan.sun.hiddenBy = b.name;
+    }
+  }
+  plan.drawSun = !plan.sun.hiddenByBody;
+  plan.queryOcclusion = plan.drawSun && plan.sun.inPicture && !scene.display.illustrative;
+
+  std::set<std::string> media;
+  for (auto const& b : plan.bodies) {
+    if (b.atmosphere.empty() || !media.insert(b.atmosphere).second) continue;
+    plan.tables.push_back({b.atmosphere, b.cameraInAir
+                                             ? "the camera is inside the air of " + b.name
+                                             : "the air of " + b.name + " is seen from outside"});
+  }
+  if (plan.tables.empty())
+    plan.leftOut.push_back({"atmosphere tables", "no body drawn as a disc has air"});
+
+  auto& passes = plan.passes;
+  passes.push_back(
+      {"stars", "the sky behind everything; air and daylight drown them by luminance"});
+  if (!plan.points.empty())
+    passes.push_back(
+        {"points", fmt::format("{} bodies smaller than {} px", plan.points.size(), kPointPixels)});
+  if (plan.drawSun)
+    passes.push_back({"sun", "disc and corona; nothing covers all of it"});
+  else
+    plan.leftOut.push_back({"sun", "wholly behind " + plan.sun.hiddenBy});
+  for (auto const& b : plan.bodies)
+    passes.push_back(
+        {"body " + b.name,
+         fmt::format(
+             "{}{}{}",
+             b.cameraInAir ? "the camera is in its air" : "a disc of " + pixels(b.diameterPixels),
+             b.atmosphere.empty() ? "" : ", with air",
+             b.casters.empty() ? "" : fmt::format(", shaded by {}", b.casters.size()))});
+  if (plan.queryOcclusion)
+    passes.push_back({"occlusion query", "the Sun's disc is in the picture and not wholly hidden"});
+  else
+    plan.leftOut.push_back({"occlusion query", !plan.sun.inPicture ? "the Sun is not in the picture"
+                                               : plan.sun.hiddenByBody
+                                                   ? "the Sun is wholly behind " + plan.sun.hiddenBy
+                                                   : "the illustrative look has no glare"});
+  if (plan.queryOcclusion) passes.push_back({"glare", "the uncovered part of the Sun dazzles"});
+  passes.push_back({"tone map", "to the display"});
+  if (plan.shadows.empty())
+    plan.leftOut.push_back({"shadow pairs", "no body's penumbra reaches a body drawn as a disc"});
+  return plan;
+}
+
+void RenderPlan::rescaleBounds(const Projection& before) {
+  double const factor = double(picture.width) / before.width;
+  auto const rescale = [&](PixelBounds& b) {
+    b = {std::max(0, static_cast<int>(std::floor(b.x0 * factor)) - 1),
+         std::max(0, static_cast<int>(std::floor(b.y0 * factor)) - 1),
+         std::min(picture.width, static_cast<int>(std::ceil(b.x1 * factor)) + 1),
+         std::min(picture.height, static_cast<int>(std::ceil(b.y1 * factor)) + 1)};
+  };
+  rescale(sun.bounds);
+  for (auto& body : bodies) {
+    rescale(body.bounds);
+    body.diameterPixels *= factor;
+  }
+}
+
+std::string explain(const RenderPlan& plan) {
+  std::string out;
+  auto const section = [&](const char* title, const std::vector<Reason>& lines) {
+    out += fmt::format("{}\n", title);
+    if (lines.empty()) out += "  none\n";
+    for (auto const& line : lines) out += fmt::format("  {:<18} {}\n", line.what, line.why);
+  };
+  section("bodies", plan.drawn);
+  section("atmosphere tables", plan.tables);
+  section("shadow pairs", plan.shadows);
+  section("passes", plan.passes);
+  section("left out", plan.leftOut);
+  return out;
+}
+
+}  // namespace antumbra

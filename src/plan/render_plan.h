@@ -1,0 +1,63 @@
+// What a picture needs, and why: the bodies worth drawing, the points, the shadows that are live,
+// the tables and the passes, each with its reason, and what was left out. Pure: no OpenGL, no
+// clock.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plan/planned_body.h"
+#include "scene/placed_scene.h"
+#include "scene/scene.h"
+
+namespace antumbra {
+
+// A body below half a pixel.
+struct PlannedPoint {
+  std::string name;
+  Direction<CameraAxes> direction;
+  double illuminance = 0.0;  // lx, outside any air
+  double colorIndexBv = 0.0;
+};
+
+struct PlannedSun {
+  Direction<CameraAxes> direction;
+  Angle angularRadius;
+  Length distance;
+  bool inPicture = false;     // some of its disc falls into the picture
+  bool hiddenByBody = false;  // wholly behind a body
+  std::string hiddenBy;
+  PixelBounds bounds;  // of its disc
+};
+
+// A line of the explanation: what, and why.
+struct Reason {
+  std::string what;
+  std::string why;
+};
+
+struct RenderPlan {
+  Projection picture;
+  std::vector<PlannedBody> bodies;  // discs, far to near; the camera's own body last
+  std::vector<PlannedPoint> points;
+  PlannedSun sun;
+  bool drawSun = false;
+  bool queryOcclusion = false;
+  bool drawStars = true;
+
+  std::vector<Reason> drawn;    // bodies and points
+  std::vector<Reason> tables;   // atmosphere tables to have resident, by medium
+  std::vector<Reason> shadows;  // live caster-receiver pairs
+  std::vector<Reason> passes;   // in order
+  std::vector<Reason> leftOut;
+
+  // After `picture`'s size has changed: every rectangle and size in pixels follows.
+  void rescaleBounds(const Projection& before);
+};
+
+RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed);
+
+// The plan as text for people (`--explain`).
+std::string explain(const RenderPlan& plan);
+
+}  // namespace antumbra

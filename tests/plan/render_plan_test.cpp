@@ -1,0 +1,99 @@
+// The plan holds what a picture needs, says why, and leaves the rest out.
+#include "plan/render_plan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "document/paths.h"
+
+namespace antumbra {
+namespace {
+
+using testing::HasSubstr;
+
+RenderPlan planOf(Scene scene, const std::string& time) {
+  Instant const when = parseInstant(time, "test");
+  auto const placed =
+      placeScene(scene, when, BodyCatalogue::standard(), Ephemeris::standard(), DeltaT::standard());
+  return makeRenderPlan(scene, placed);
+}
+
+Scene shipped(const char* name) {
+  return readScene(configsFolder() / "scenes" / (std::string(name) + ".toml"));
+}
+
+Scene onTheMoon() {
+  Scene s = shipped("luxor_dome");
+  s.bodies = {"Moon"};
+  s.camera.body = "Moon";
+  s.camera.height = 2.0 * metre;
+  s.camera.latitude = 0.0 * degree;
+  s.camera.longitude = 0.0 * degree;
+  return s;
+}
+
+TEST(RenderPlan, TotalityAtLuxorHasItsShadowAirAndQuery) {
+  RenderPlan const plan = planOf(shipped("luxor_dome"), "2027-08-02T10:05:06Z");
+  ASSERT_EQ(plan.tables.size(), 1u);
+  EXPECT_EQ(plan.tables[0].what, "earth");
+  EXPECT_THAT(plan.tables[0].why, HasSubstr("inside the air"));
+  ASSERT_EQ(plan.shadows.size(), 1u);
+  EXPECT_EQ(plan.shadows[0].what, "Moon on Earth");
+  EXPECT_TRUE(plan.queryOcclusion);
+  ASSERT_FALSE(plan.bodies.empty());
+  EXPECT_EQ(plan.bodies.back().name, "Earth");
+}
+
+TEST(RenderPlan, AnAirlessSceneBuildsNoTable) {
+  RenderPlan const plan = planOf(onTheMoon(), "2027-08-02T10:05:06Z");
+  EXPECT_TRUE(plan.tables.empty());
+  EXPECT_THAT(explain(plan), HasSubstr("no body drawn as a disc has air"));
+}
+
+TEST(RenderPlan, NoQueryWithoutTheSunInTheView) {
+  RenderPlan const space = planOf(shipped("from_space"), "2027-08-02T10:06:40Z");
+  EXPECT_FALSE(space.sun.inPicture);
+  EXPECT_FALSE(space.queryOcclusion);
+  EXPECT_THAT(explain(space), HasSubstr("the Sun is not in the picture"));
+  RenderPlan const night = planOf(shipped("luxor_dome"), "2027-08-02T22:05:06Z");
+  EXPECT_FALSE(night.queryOcclusion);
+  EXPECT_FALSE(night.drawSun);
+}
+
+TEST(RenderPlan, NoShadowPairWithoutAnEclipse) {
+  RenderPlan const plan = planOf(shipped("luxor_dome"), "2027-07-20T10:05:06Z");
+  EXPECT_TRUE(plan.shadows.empty());
+  for (auto const& body : plan.bodies) EXPECT_TRUE(body.casters.empty()) << body.name;
+}
+
+TEST(RenderPlan, ALunarEclipsePutsTheEarthBeforeTheMoonsSun) {
+  Scene scene = shipped("luxor_sun");
+  scene.camera.target = "Moon";
+  // Greatest eclipse of 2028-12-31, 16:52 UT.
+  RenderPlan const plan = planOf(scene, "2028-12-31T16:52:00Z");
+  ASSERT_THAT(plan.shadows, testing::SizeIs(1));
+  EXPECT_EQ(plan.shadows[0].what, "Earth on Moon");
+}
+
+TEST(RenderPlan, PlanetsFromTheGroundArePointsWithTheirMagnitude) {
+  RenderPlan const plan = planOf(shipped("luxor_dome"), "2027-08-02T10:05:06Z");
+  bool venus = false;
+  for (auto const& p : plan.points)
+    if (p.name == "Venus") {
+      venus = true;
+      // Venus of magnitude -3.9 gives 2.54e-6 lx * 10^(0.4 * 3.9) = 9.2e-5 lx.
+      EXPECT_NEAR(p.illuminance, 9.2e-5, 1.5e-5);
+    }
+  EXPECT_TRUE(venus);
+}
+
+TEST(RenderPlan, RefusesACameraInsideABody) {
+  Scene scene = shipped("luxor_dome");
+  scene.camera.height = -100.0 * kilometre;
+  EXPECT_THAT([&] { planOf(scene, "2027-08-02T10:05:06Z"); },
+              testing::ThrowsMessage<InputError>(
+                  testing::AllOf(HasSubstr("inside Earth"), HasSubstr("[camera]"))));
+}
+
+}  // namespace
+}  // namespace antumbra

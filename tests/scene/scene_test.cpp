@@ -1,0 +1,95 @@
+// Scenes as users write them: what is read, what is refused and in which words.
+#include "scene/scene.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "document/paths.h"
+
+namespace antumbra {
+namespace {
+
+const std::string kCamera =
+    "[camera]\nbody = \"Earth\"\nlatitude = \"25.687 deg\"\nlongitude = \"32.640 deg\"\n"
+    "height = \"76 m\"\ntarget = \"zenith\"\n";
+const std::string kPicture =
+    "[picture]\nprojection = \"fisheye\"\nfield = \"180 deg\"\nwidth = 512\nheight = 512\n";
+const std::string kHead = "title = \"t\"\ntime = \"2027-08-02T10:05:06Z\"\n";
+
+Scene parse(const std::string& text) {
+  Document const document = Document::parse(text, "s.toml");
+  return readScene(document.root());
+}
+std::string refusal(const std::string& text) {
+  try {
+    parse(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Scene, ReadsPlaceAndPicture) {
+  Scene const s = parse(kHead + kCamera + kPicture);
+  EXPECT_DOUBLE_EQ(s.camera.latitude / degree, 25.687);
+  EXPECT_DOUBLE_EQ(s.camera.height / metre, 76.0);
+  EXPECT_EQ(s.picture.kind, ProjectionKind::Fisheye);
+  EXPECT_EQ(s.frames, 1);
+}
+
+TEST(Scene, RefusesWithFileLineAndWhatIsAllowed) {
+  using testing::AllOf;
+  using testing::HasSubstr;
+  EXPECT_THAT(refusal(kHead +
+                      "[camera]\nlatitude = \"95 deg\"\nlongitude = \"0 deg\"\n"
+                      "height = \"1 m\"\ntarget = \"zenith\"\n" +
+                      kPicture),
+              AllOf(HasSubstr("s.toml:4"), HasSubstr("95"), HasSubstr("-90 to 90")));
+  EXPECT_THAT(refusal(kHead + kCamera +
+                      "[picture]\nprojection = \"fisheye\"\nfield = \"180 deg\"\n"
+                      "width = 0\nheight = 512\n"),
+              AllOf(HasSubstr("width"), HasSubstr("found 0"), HasSubstr("1 to 65536")));
+  EXPECT_THAT(refusal(kHead + kCamera +
+                      "[picture]\nprojection = \"mercator\"\nfield = \"1 deg\"\n"
+                      "width = 1\nheight = 1\n"),
+              AllOf(HasSubstr("mercator"), HasSubstr("fisheye")));
+  EXPECT_THAT(refusal(kHead + kCamera + kPicture + "[display]\nexposure = \"fixed\"\nwhite = -1\n"),
+              HasSubstr("not positive"));
+  EXPECT_THAT(refusal(kHead + kCamera + kPicture + "[dispaly]\n"),
+              AllOf(HasSubstr("dispaly"), HasSubstr("unknown key")));
+  EXPECT_THAT(refusal(kHead + kCamera + "azimuth = \"3 deg\"\n" + kPicture),
+              HasSubstr("one or the other"));
+  EXPECT_THAT(
+      refusal(kHead + kCamera + kPicture + "[animation]\nframes = 3\n[[keyframe]]\nframe = 3\n"),
+      AllOf(HasSubstr("found 3"), HasSubstr("0 to 2")));
+}
+
+TEST(Scene, KeyframesFallGeometricallyAndNeverOvershoot) {
+  Scene const s = parse(kHead + kCamera + kPicture +
+                        "[animation]\nframes = 12\n[[keyframe]]\nframe = 0\nheight = \"20000 km\"\n"
+                        "[[keyframe]]\nframe = 6\nheight = \"100 km\"\n"
+                        "[[keyframe]]\nframe = 11\nheight = \"2 m\"\n");
+  Length last = 20001.0 * kilometre;
+  for (int frame = 0; frame < 12; ++frame) {
+    Length const height = s.atFrame(frame).camera.height;
+    EXPECT_LT(height, last) << frame;
+    last = height;
+  }
+  EXPECT_NEAR(s.atFrame(0).camera.height / metre, 2e7, 1e-3);
+  EXPECT_NEAR(s.atFrame(6).camera.height / metre, 1e5, 1e-6);
+  EXPECT_NEAR(s.atFrame(11).camera.height / metre, 2.0, 1e-9);
+}
+
+TEST(Scene, EveryShippedSceneCanBeRead) {
+  int count = 0;
+  for (auto const& entry : std::filesystem::directory_iterator(configsFolder() / "scenes")) {
+    if (entry.path().extension() != ".toml") continue;
+    EXPECT_NO_THROW(readScene(entry.path())) << entry.path();
+    ++count;
+  }
+  EXPECT_GE(count, 6);
+}
+
+}  // namespace
+}  // namespace antumbra
