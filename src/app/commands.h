@@ -1,6 +1,13 @@
-// The commands of the program: each adds its subcommand to the command line and, when chosen, runs.
+// The commands of the program. Each function adds one subcommand to the command line; its callback
+// runs when the user chose it. Callbacks throw InputError (status 2), DeviceError (3) or anything
+// else (1); main() prints the message.
 #pragma once
 
 #include <CLI/CLI.hpp>
 
-namespace antumbra {}  // namespace antumbra
+namespace antumbra {
+
+void addRenderCommand(CLI::App& program);
+void addViewCommand(CLI::App& program);
+
+}  // namespace antumbra

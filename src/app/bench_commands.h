@@ -1,0 +1,10 @@
+// The subcommands of antumbra-bench, as app/commands.h those of antumbra.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace antumbra {
+
+void addFrameBench(CLI::App& program);
+
+}  // namespace antumbra

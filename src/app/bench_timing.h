@@ -1,0 +1,21 @@
+// How long a piece of drawing takes, in milliseconds and in fill units.
+//
+// A software renderer's timer queries report nonsense, and a piece drawn alone after others would
+// pay for them: so a piece is timed by the wall clock between two glFinish, repeated alone, and the
+// median of at least seven is taken. The fill unit is shaders/bench/fill_unit.frag at the same size
+// in the same run: sixteen dependent look-ups and exponentials per pixel.
+#pragma once
+
+#include <functional>
+
+#include "gl/context.h"
+
+namespace antumbra::bench {
+
+// Median seconds of `draw` over `repeats` (at least 7), after one run to warm up.
+double medianSeconds(const std::function<void()>& draw, int repeats = 7);
+
+// Seconds of one fill unit at this size.
+double fillUnitSeconds(int width, int height);
+
+}  // namespace antumbra::bench

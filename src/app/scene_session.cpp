@@ -1,0 +1,92 @@
+#include "app/scene_session.h"
+
+#include <fmt/format.h>
+
+#include "document/document.h"
+
+namespace antumbra {
+
+void applySize(const std::string& text, const std::string& where, Projection& picture) {
+  auto const cross = text.find('x');
+  if (cross == std::string::npos)
+    throw InputError(
+        fmt::format("{}: found \"{}\"; allowed: WIDTHxHEIGHT, as 1280x720", where, text));
+  long const width = parseInteger(text.substr(0, cross), where);
+  long const height = parseInteger(text.substr(cross + 1), where);
+  if (width < 1 || height < 1 || width > 65536 || height > 65536)
+    throw InputError(
+        fmt::format("{}: found {}x{}; allowed: 1x1 to 65536x65536", where, width, height));
+  picture.width = static_cast<int>(width);
+  picture.height = static_cast<int>(height);
+}
+
+SceneSession::SceneSession(const std::string& file, const SceneOverrides& o)
+    : scene_(readScene(file)),
+      deltaT_(o.deltaTSeconds ? DeltaT::fixed(*o.deltaTSeconds * second) : DeltaT::standard()) {
+  if (!o.time.empty()) {
+    scene_.time = o.time;
+    scene_.timeWhere = "--time";
+  }
+  if (!o.size.empty()) applySize(o.size, "--size", scene_.picture);
+  if (!o.projection.empty()) {
+    Projection& p = scene_.picture;
+    ProjectionKind const before = p.kind;
+    if (o.projection == "perspective")
+      p.kind = ProjectionKind::Perspective;
+    else if (o.projection == "fisheye")
+      p.kind = ProjectionKind::Fisheye;
+    else if (o.projection == "equirectangular")
+      p.kind = ProjectionKind::Equirectangular;
+    else
+      throw InputError(
+          fmt::format("--projection: found \"{}\"; allowed: perspective, fisheye, equirectangular",
+                      o.projection));
+    // A field that was meant for another projection says nothing about this one.
+    if (p.kind != before)
+      p.field = p.kind == ProjectionKind::Perspective ? 60.0 * degree
+                : p.kind == ProjectionKind::Fisheye   ? 180.0 * degree
+                                                      : 360.0 * degree;
+  }
+  if (!o.quality.empty()) scene_.quality = o.quality;
+  if (!o.look.empty()) {
+    if (o.look != "natural" && o.look != "illustrative")
+      throw InputError(fmt::format("--look: found \"{}\"; allowed: natural, illustrative", o.look));
+    scene_.display.illustrative = o.look == "illustrative";
+  }
+  scene_.picture.check(o.size.empty() ? scene_.file + ": [picture]" : "--size");
+  start_ = parseInstant(scene_.time, scene_.timeWhere, deltaT_);
+}
+
+SceneSession::Moment SceneSession::at(int frame) const {
+  return at(scene_.atFrame(frame), scene_.offsetAt(frame));
+}
+
+SceneSession::Moment SceneSession::at(const Scene& scene, Duration offset) const {
+  Moment m;
+  m.scene = scene;
+  m.placed =
+      placeScene(scene, start_ + offset, BodyCatalogue::standard(), Ephemeris::standard(), deltaT_);
+  m.plan = makeRenderPlan(scene, m.placed);
+  return m;
+}
+
+std::vector<std::pair<std::string, std::string>> SceneSession::metadata(const Moment& m) const {
+  const CameraPlacement& c = m.scene.camera;
+  return {
+      {"antumbra:title", m.scene.title},
+      {"antumbra:version", ANTUMBRA_VERSION},
+      {"antumbra:time", formatIso(m.placed.when, TimeScale::Utc, deltaT_)},
+      {"antumbra:delta_t",
+       fmt::format("{:.3f} s ({})", m.placed.deltaT / second, m.placed.deltaTSource)},
+      {"antumbra:site", fmt::format("{} {:.6f} deg {:.6f} deg east {:.3f} m", c.body,
+                                    c.latitude / degree, c.longitude / degree, c.height / metre)},
+      {"antumbra:projection",
+       fmt::format("{} {:.4f} deg", nameOf(m.scene.picture.kind), m.scene.picture.field / degree)},
+      {"antumbra:quality", m.scene.quality},
+      {"antumbra:convention", fmt::format("{}, limb darkening {}", m.scene.shadows.convention,
+                                          m.scene.shadows.limbDarkening)},
+      {"antumbra:unit", "cd/m2 in linear sRGB channels (EXR)"},
+  };
+}
+
+}  // namespace antumbra

@@ -1,0 +1,55 @@
+// What every command that draws a scene does first: read it, find its instant, place its bodies,
+// plan.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ephemeris/ephemeris.h"
+#include "plan/render_plan.h"
+#include "scene/placed_scene.h"
+#include "scene/scene.h"
+#include "time/instant.h"
+
+namespace antumbra {
+
+// What the command line says over the scene's own words; empty or absent: the scene's.
+struct SceneOverrides {
+  std::string time;
+  std::string size;  // "WxH"
+  std::string projection;
+  std::string quality;
+  std::string look;
+  std::optional<double> deltaTSeconds;
+};
+
+class SceneSession {
+ public:
+  // Throws InputError: the scene file, an option.
+  SceneSession(const std::string& file, const SceneOverrides& overrides);
+
+  const Scene& scene() const { return scene_; }
+  // One frame of the scene's animation, placed and planned.
+  struct Moment {
+    Scene scene;
+    PlacedScene placed;
+    RenderPlan plan;
+  };
+  Moment at(int frame) const;
+  Moment at(const Scene& scene, Duration offset) const;
+  // What the picture shows, for its file.
+  std::vector<std::pair<std::string, std::string>> metadata(const Moment& moment) const;
+  const DeltaT& deltaT() const { return deltaT_; }
+
+ private:
+  Scene scene_;
+  DeltaT deltaT_;
+  Instant start_;
+};
+
+// "WxH" into the picture; throws InputError that opens with `where`.
+void applySize(const std::string& text, const std::string& where, Projection& picture);
+
+}  // namespace antumbra

@@ -1,0 +1,203 @@
+#include "passes/frame_renderer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+
+#include "document/input_error.h"
+#include "document/paths.h"
+#include "gl/buffer.h"
+#include "gl/context.h"
+#include "gl/framebuffer.h"
+#include "gl/texture.h"
+#include "gl/view_block.h"
+#include "passes/stars.h"
+#include "photometry/colour.h"
+#include "scene/apparent_stars.h"
+#include "scene/star_catalogue.h"
+#include "tonemap/tone_map.h"
+
+namespace antumbra {
+namespace {
+
+constexpr double kMostPixels = 268435456.0;  // 2^28: 16384 x 16384
+constexpr int kLargestTile = 4096;           // 256 MiB of 32-bit floats
+constexpr int kMeteredWidth = 1024;          // of a tiled picture's small copy
+
+glm::vec3 colouredLux(double lux, double colorIndexBv) {
+  return glm::vec3(starColour(std::clamp(colorIndexBv, -0.4, 4.0)) * lux);
+}
+
+}  // namespace
+
+// What is compiled once for each projection.
+struct ProjectionPasses {
+  explicit ProjectionPasses(ProjectionKind kind) : stars(kind), toneMap(kind) {}
+  StarsPass stars;
+  ToneMap toneMap;
+};
+
+struct FrameRenderer::State {
+  State(ImageSource source, Mode chosen) : images(std::move(source)), mode(chosen) {}
+
+  ImageSource images;
+  Mode mode;
+  std::map<ProjectionKind, ProjectionPasses> byProjection;
+  std::optional<StarCatalogue> catalogue;
+  gl::Buffer viewBlock;
+  gl::Texture linear, display;
+  gl::Framebuffer linearTarget, displayTarget;
+  FrameCounters counters;
+  PassObserver observer;
+  std::optional<Exposure> liveExposure;
+
+  ProjectionPasses& passesFor(ProjectionKind kind) {
+    return byProjection.try_emplace(kind, kind).first->second;
+  }
+
+  void run(const std::string& name, const std::function<void()>& draw) {
+    draw();
+    if (observer) observer(name, draw);
+  }
+
+  void resize(int width, int height) {
+    if (linear && linear.width() == width && linear.height() == height) return;
+    linear = gl::Texture::plane(GL_RGBA32F, width, height, gl::Filter::Nearest);
+    linearTarget = gl::Framebuffer({&linear});
+    display = gl::Texture::plane(GL_RGBA8, width, height, gl::Filter::Nearest);
+    displayTarget = gl::Framebuffer({&display});
+  }
+
+  std::vector<StarPoint> starPoints(const Scene& scene, const PlacedScene& placed) {
+    if (!catalogue) catalogue = StarCatalogue::load(catalogsFolder() / "stars");
+    std::vector<StarPoint> points;
+    for (auto const& star :
+         apparentStars(*catalogue, placed.when, placed.velocity, scene.display.limitingMagnitude))
+      points.push_back({placed.cameraFromIcrs(star.direction).u,
+                        colouredLux(star.illuminance, star.colorIndexBv)});
+    return points;
+  }
+
+  // Draws all light of a tile of the picture into `linear`.
+  void drawTile(const Scene& scene, const PlacedScene& placed, const RenderPlan& plan,
+                glm::ivec2 origin) {
+    ProjectionPasses& passes = passesFor(plan.picture.kind);
+    viewBlock.write(gl::viewBlockOf(plan.picture, origin));
+    viewBlock.bindUniform(0);
+    linearTarget.bind();
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    counters.shadowPairs = static_cast<int>(plan.shadows.size());
+
+    auto const stars = starPoints(scene, placed);
+    run("stars", [&] { passes.stars.draw(stars); });
+    if (!plan.points.empty()) {
+      std::vector<StarPoint> points;
+      for (auto const& p : plan.points)
+        points.push_back({p.direction.u, colouredLux(p.illuminance, p.colorIndexBv)});
+      run("points", [&] { passes.stars.draw(points); });
+    }
+  }
+
+  Exposure exposureOf(const Scene& scene, const MeterReading& reading) const {
+    if (!scene.display.automaticExposure) return {scene.display.whiteLuminance};
+    return exposureFor(reading, {scene.display.compensationStops});
+  }
+};
+
+FrameRenderer::FrameRenderer(ImageSource images, Mode mode)
+    : state_(std::make_unique<State>(std::move(images), mode)) {}
+FrameRenderer::~FrameRenderer() = default;
+
+FinishedPicture FrameRenderer::finish(const Scene& scene, const PlacedScene& placed,
+                                      const RenderPlan& plan) {
+  State& s = *state_;
+  int const width = plan.picture.width, height = plan.picture.height;
+  if (double(width) * height > kMostPixels)
+    throw InputError(fmt::format("--size: found {}x{}; allowed: at most {:.0f} pixels", width,
+                                 height, kMostPixels));
+  int const largest = std::min(
+      {kLargestTile, gl::describeDevice().maxTextureSize, gl::describeDevice().maxViewport});
+  bool const tiled = width > largest || height > largest;
+  ToneMap& toneMap = s.passesFor(plan.picture.kind).toneMap;
+
+  Exposure exposure;
+  if (tiled) {
+    // A small copy of the whole picture is metered.
+    RenderPlan copy = plan;
+    copy.picture.width = std::min(width, kMeteredWidth);
+    copy.picture.height =
+        std::max(1, static_cast<int>(std::lround(double(height) * copy.picture.width / width)));
+    copy.rescaleBounds(plan.picture);
+    s.resize(copy.picture.width, copy.picture.height);
+    s.drawTile(scene, placed, copy, {0, 0});
+    exposure = s.exposureOf(scene, toneMap.measure(s.linear));
+  }
+
+  FinishedPicture picture;
+  picture.width = width;
+  picture.height = height;
+  auto const pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  picture.linear.resize(pixels * 3);
+  picture.srgb.resize(pixels * 3);
+  for (int y = 0; y < height; y += largest)
+    for (int x = 0; x < width; x += largest) {
+      int const w = std::min(largest, width - x), h = std::min(largest, height - y);
+      s.resize(w, h);
+      s.drawTile(scene, placed, plan, {x, y});
+      if (!tiled) exposure = s.exposureOf(scene, toneMap.measure(s.linear));
+      s.run("tone map", [&] { toneMap.apply(s.linear, exposure, &s.displayTarget, {x, y}); });
+      std::vector<float> linear(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 3);
+      std::vector<std::uint8_t> srgb(linear.size());
+      glGetTextureImage(s.linear.id(), 0, GL_RGB, GL_FLOAT,
+                        static_cast<GLsizei>(linear.size() * sizeof(float)), linear.data());
+      glGetTextureImage(s.display.id(), 0, GL_RGB, GL_UNSIGNED_BYTE,
+                        static_cast<GLsizei>(srgb.size()), srgb.data());
+      // Rows from the bottom up become rows from the top down.
+      for (int row = 0; row < h; ++row) {
+        auto const from = static_cast<std::size_t>(row) * static_cast<std::size_t>(w) * 3;
+        auto const to =
+            (static_cast<std::size_t>(height - 1 - (y + row)) * static_cast<std::size_t>(width) +
+             static_cast<std::size_t>(x)) *
+            3;
+        auto const count = static_cast<std::ptrdiff_t>(w) * 3;
+        std::copy_n(linear.begin() + static_cast<std::ptrdiff_t>(from), count,
+                    picture.linear.begin() + static_cast<std::ptrdiff_t>(to));
+        std::copy_n(srgb.begin() + static_cast<std::ptrdiff_t>(from), count,
+                    picture.srgb.begin() + static_cast<std::ptrdiff_t>(to));
+      }
+    }
+  picture.whiteLuminance = exposure.whiteLuminance;
+  return picture;
+}
+
+void FrameRenderer::show(const Scene& scene, const PlacedScene& placed, const RenderPlan& plan,
+                         unsigned framebuffer, Duration sinceLast) {
+  State& s = *state_;
+  ToneMap& toneMap = s.passesFor(plan.picture.kind).toneMap;
+  s.resize(plan.picture.width, plan.picture.height);
+  s.drawTile(scene, placed, plan, {0, 0});
+  if (!scene.display.automaticExposure) {
+    s.liveExposure = Exposure{scene.display.whiteLuminance};
+  } else if (!s.liveExposure) {
+    s.liveExposure = s.exposureOf(scene, toneMap.measure(s.linear));
+  } else if (auto const reading = toneMap.measureWithoutWaiting(s.linear)) {
+    s.liveExposure = adaptedExposure(*s.liveExposure, s.exposureOf(scene, *reading), sinceLast);
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glViewport(0, 0, plan.picture.width, plan.picture.height);
+  toneMap.apply(s.linear, *s.liveExposure, nullptr);
+}
+
+const FrameCounters& FrameRenderer::counters() const { return state_->counters; }
+void FrameRenderer::observePasses(PassObserver observer) { state_->observer = std::move(observer); }
+std::vector<std::pair<std::string, std::size_t>> FrameRenderer::residentBytes() const {
+  return {{"picture, 32-bit float", state_->linear.bytes()}};
+}
+std::vector<std::pair<std::string, double>> FrameRenderer::precomputeSeconds() const { return {}; }
+
+}  // namespace antumbra
