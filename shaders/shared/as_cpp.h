@@ -50,6 +50,7 @@ using glm::tan;
 #include "shared/eclipse_types.glsl"
 #include "shared/quantities.glsl"
 namespace {
+#include "shared/corona.glsl"
 #include "shared/eclipse.glsl"
 #include "shared/limb_darkening.glsl"
 #include "shared/phase.glsl"

@@ -9,29 +9,12 @@
 #include "gl/view_block.h"
 #include "shared/as_cpp.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/sky_picture.h"
 
 namespace antumbra {
 namespace {
 
 using StarsGlTest = testsupport::GlTest;
-
-// Solid angle of a pixel by Girard's theorem from its four corners' directions: independent of the
-// shared function that the shader divides by. Two spherical triangles.
-double solidAngleFromCorners(const Projection& projection, int x, int y) {
-  glm::dvec3 corner[4];
-  int const dx[] = {0, 1, 1, 0}, dy[] = {0, 0, 1, 1};
-  for (int i = 0; i < 4; ++i) {
-    auto const d = projection.directionAt(x + dx[i], y + dy[i]);
-    if (!d) return 0.0;
-    corner[i] = d->u;
-  }
-  auto const triangle = [](glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
-    // Van Oosterom & Strackee 1983.
-    double const volume = std::fabs(glm::dot(a - b, glm::cross(b - c, c)));
-    return 2.0 * std::atan2(volume, 1.0 + glm::dot(a, b) + glm::dot(b, c) + glm::dot(c, a));
-  };
-  return triangle(corner[0], corner[1], corner[2]) + triangle(corner[0], corner[2], corner[3]);
-}
 
 struct Measured {
   double lux = 0.0;
@@ -46,7 +29,7 @@ Measured measure(const Projection& projection, const gl::Texture& image) {
     for (int x = 0; x < projection.width; ++x) {
       double const value = texels[static_cast<std::size_t>(4 * (y * projection.width + x)) + 1];
       if (value == 0.0) continue;
-      double const flux = value * solidAngleFromCorners(projection, x, y);
+      double const flux = value * testsupport::pixelSolidAngle(projection, x, y);
       m.lux += flux;
       values += flux;
       m.centroid += flux * glm::dvec2(x + 0.5, y + 0.5);
@@ -142,7 +125,7 @@ TEST_F(StarsGlTest, TilesTogetherHoldWhatThePictureHolds) {
     for (int y = 0; y < 32; ++y)
       for (int x = 0; x < 32; ++x)
         sum += texels[static_cast<std::size_t>(4 * (y * 32 + x))] *
-               solidAngleFromCorners(p, origin.x + x, origin.y + y);
+               testsupport::pixelSolidAngle(p, origin.x + x, origin.y + y);
   }
   EXPECT_NEAR(sum / whole.lux, 1.0, 1e-4);
 }
@@ -160,7 +143,7 @@ TEST(PixelScale, SolidAnglesCoverTheSphere) {
   for (double x : {100.5, 250.5, 420.5})
     for (double y : {120.5, 150.5, 260.5}) {
       auto const at = [&](const Projection& p) {
-        return solidAngleFromCorners(p, static_cast<int>(x), static_cast<int>(y));
+        return testsupport::pixelSolidAngle(p, static_cast<int>(x), static_cast<int>(y));
       };
       double const radius = std::hypot(x - 250.0, y - 250.0) / 250.0;
       EXPECT_NEAR(glsl::fisheyePixelSolidAngle(radius, 110.0 * degree.si, 500.0, 500.0) / at(dome),
