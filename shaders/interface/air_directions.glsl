@@ -1,0 +1,29 @@
+// The directions over which radiance is averaged: Gauss-Legendre nodes below and above the horizon,
+// dense toward it, and equal steps of azimuth over half a turn (the other half is its mirror image).
+struct AirDirection {
+  float cosine;
+  float sine;
+  float azimuth;  // from the Sun's, rad
+  float weight;   // solid angle, sr, of it and its mirror image
+  bool down;
+};
+
+uniform ivec2 directionCount;  // zenith angles, half of them below the horizon; azimuths in half a turn
+layout(std140, binding = 4) uniform DirectionNodes {
+  vec4 zenithNodes[64];  // position and weight on [0, 1]
+};
+
+AirDirection airDirection(int index, float horizon) {
+  int zenithIndex = index / directionCount.y;
+  int azimuthIndex = index - zenithIndex * directionCount.y;
+  int half_ = directionCount.x / 2;
+  AirDirection d;
+  d.down = zenithIndex < half_;
+  vec4 node = zenithNodes[d.down ? zenithIndex : zenithIndex - half_];
+  float span = d.down ? -1.0 - horizon : 1.0 - horizon;
+  d.cosine = clamp(horizon + span * node.x * node.x, -1.0, 1.0);
+  d.sine = sqrt(max(1.0 - d.cosine * d.cosine, 0.0));
+  d.azimuth = (float(azimuthIndex) + 0.5) * kPi / float(directionCount.y);
+  d.weight = abs(span) * 2.0 * node.x * node.y * 2.0 * kPi / float(directionCount.y);
+  return d;
+}

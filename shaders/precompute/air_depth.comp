@@ -1,0 +1,48 @@
+// Optical depth from each height and zenith angle to the top of the air.
+#include "interface/air.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(rgba32f, binding = 0) writeonly uniform image2DArray depths;
+
+vec4 depthOfLeg(AirLeg leg, int layer) {
+  AirShell shell = airShell();
+  float span = leg.highHeight - leg.lowHeight;
+  vec4 sum = vec4(0.0);
+  for (int i = 0; i < nodeCount.x; ++i) {
+    float u = nodes[i].x;
+    AirPoint p = pointOnLeg(shell, leg, 0.0, leg.lowHeight + span * u * u * u);
+    AirDensities d = densitiesAt(p.height);
+    vec4 extinction = vec4(0.0);
+    for (int c = 0; c < AIR_CONSTITUENTS; ++c)
+      extinction += airExtinction[layer * AIR_CONSTITUENTS + c] * d.of[c];
+    sum += extinction * (nodes[i].y * 3.0 * u * u * span / max(p.cosine, 1e-9));
+  }
+  return sum;
+}
+
+void main() {
+  ivec3 texel = ivec3(gl_GlobalInvocationID);
+  ivec3 size = imageSize(depths);
+  if (texel.x >= size.x || texel.y >= size.y) return;
+  AirShell shell = airShell();
+  HeightAndCosine at = heightAndCosineAt(shell, vec2(texel.xy) / vec2(size.xy - 1));
+  float rise = (shell.radius + at.height) * at.cosine;
+  AirLeg leg;
+  leg.lowSunRise = 0.0;
+  leg.lowDistance = 0.0;
+  leg.sense = 1.0;
+  leg.lowHeight = at.height;
+  leg.lowRise = max(rise, 0.0);
+  leg.highHeight = shell.top;
+  vec4 sum;
+  if (rise >= 0.0) {
+    sum = depthOfLeg(leg, texel.z);
+  } else {
+    float square = squareAboveGround(shell, at.height) - rise * rise;
+    leg.lowHeight = max(square, 0.0) / (shell.radius + sqrt(shell.radius * shell.radius + max(square, 0.0)));
+    leg.lowRise = 0.0;
+    sum = depthOfLeg(leg, texel.z);
+    leg.highHeight = at.height;
+    sum += depthOfLeg(leg, texel.z);
+  }
+  imageStore(depths, texel, sum);
+}

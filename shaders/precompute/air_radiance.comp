@@ -1,0 +1,46 @@
+// Radiance that reaches a point of the air from each of a set of directions: of sunlight scattered or
+// reflected once (AIR_SINGLE), or of the light of the previous order scattered once more (AIR_SOURCE).
+// Invocation (x, y): Sun's zenith angle and height; z: direction. Stored by spectral layer, then direction.
+#include "interface/air_march.glsl"
+layout(local_size_x = 8, local_size_y = 4) in;
+layout(rgba32f, binding = 0) writeonly uniform image2DArray radiances;
+#include "interface/air_directions.glsl"
+
+void main() {
+  ivec3 texel = ivec3(gl_GlobalInvocationID);
+  ivec3 size = imageSize(radiances);
+  if (texel.x >= size.x || texel.y >= size.y) return;
+  AirShell shell = airShell();
+  HeightAndCosine at = sourcePlace(shell, airShape.z, vec2(texel.xy) / vec2(size.xy - 1));
+  // The topmost cells lie a little inside, for the rays to have air to cross.
+  at.height = min(at.height, shell.top * 0.9999);
+  AirDirection look = airDirection(texel.z, horizonCosine(shell, at.height));
+  float r = shell.radius + at.height;
+  AirRay ray;
+  ray.height = at.height;
+  ray.rise = r * look.cosine;
+  ray.sunRise = r * at.cosine;
+  float sunSine = sqrt(max(1.0 - at.cosine * at.cosine, 0.0));
+  ray.sunAlong = clamp(look.cosine * at.cosine + look.sine * cos(look.azimuth) * sunSine, -1.0, 1.0);
+  ray.groundRoot = ray.rise * ray.rise - squareAboveGround(shell, at.height);
+  // The quadrature decides what lies below the horizon.
+  if (look.down) ray.groundRoot = max(ray.groundRoot, 1e-3); else ray.groundRoot = min(ray.groundRoot, 0.0);
+  ray.start = vec3(0.0, 0.0, r);
+  ray.direction = vec3(look.sine, 0.0, look.cosine);
+  AirWay way = wayOf(ray);
+  AirLight light = lightAlong(ray, way, vec2(-1.0));
+  float sunCosine = clamp(way.legs[0].lowSunRise / shell.radius, -1.0, 1.0);
+  vec2 ground = onTexels(sourceCoordinates(shell, airShape.z, 0.0, sunCosine), textureSize(airSource, 0).xy);
+  for (int layer = 0; layer < AIR_LAYERS; ++layer) {
+    vec4 sum = light.joint[layer];
+    if (way.hitsGround) {
+#ifdef AIR_SINGLE
+      vec4 irradiance = max(sunCosine, 0.0) * exp(-depthAt(depthPlace(0.0, sunCosine), layer));
+#else
+      vec4 irradiance = textureLod(airSource, vec3(ground, float(layer * 7 + 6)), 0.0);
+#endif
+      sum += irradiance * airGroundAlbedo[layer] / kPi * exp(-depthOfWay(ray, way, layer));
+    }
+    imageStore(radiances, ivec3(texel.xy, layer * directionCount.x * directionCount.y + texel.z), sum);
+  }
+}

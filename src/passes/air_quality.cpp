@@ -1,0 +1,48 @@
+#include "passes/air_quality.h"
+
+#include <fmt/format.h>
+
+#include "document/paths.h"
+
+namespace antumbra {
+namespace {
+
+int within(const Table& table, const char* key, int otherwise, int least, int most) {
+  long const found = table.integer(key, otherwise);
+  if (found < least || found > most)
+    table.fail(key, fmt::format("found {}; allowed: {} to {}", found, least, most));
+  return static_cast<int>(found);
+}
+
+}  // namespace
+
+AirQuality AirQuality::read(const Table& table) {
+  AirQuality q;
+  q.wavelengths = within(table, "wavelengths", q.wavelengths, 4, 40);
+  if (q.wavelengths % 4) table.fail("wavelengths", "allowed: a multiple of 4");
+  q.orders = within(table, "orders", q.orders, 1, 100);
+  q.depthWidth = within(table, "depth_width", q.depthWidth, 16, 2048);
+  q.depthHeight = within(table, "depth_height", q.depthHeight, 8, 1024);
+  q.sourceWidth = within(table, "source_width", q.sourceWidth, 16, 1024);
+  q.sourceHeight = within(table, "source_height", q.sourceHeight, 4, 256);
+  q.zenithDirections = within(table, "zenith_directions", q.zenithDirections, 4, 64);
+  if (q.zenithDirections % 2) table.fail("zenith_directions", "allowed: an even number");
+  q.azimuthDirections = within(table, "azimuth_directions", q.azimuthDirections, 2, 32);
+  q.sourceSamples = within(table, "source_samples", q.sourceSamples, 2, 64);
+  q.skySamples = within(table, "sky_samples", q.skySamples, 2, 64);
+  q.viewSamples = within(table, "view_samples", q.viewSamples, 2, 64);
+  q.skyWidth = within(table, "sky_width", q.skyWidth, 8, 1024);
+  q.skyHeight = within(table, "sky_height", q.skyHeight, 16, 2048);
+  if (q.skyHeight % 2) table.fail("sky_height", "allowed: an even number");
+  return q;
+}
+
+AirQuality AirQuality::preset(const std::string& name) {
+  Document const document = Document::load(configsFolder() / "quality" / (name + ".toml"));
+  auto const section = document.root().tableIfPresent("air");
+  AirQuality const q = section ? read(*section) : AirQuality();
+  if (section) section->finish();
+  return q;
+}
+
+}  // namespace antumbra

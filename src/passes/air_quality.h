@@ -1,0 +1,30 @@
+// The knobs of the air's tables and marches, with their units; configs/quality/*.toml, section
+// [air], gives a value for each. Measured errors and costs of the presets:
+// configs/quality/README.md.
+#pragma once
+
+#include "document/document.h"
+
+namespace antumbra {
+
+struct AirQuality {
+  int wavelengths = 4;        // a multiple of 4
+  int orders = 5;             // of scattering in the source table; the rest as a geometric series
+  int depthWidth = 256;       // texels of the optical depth over zenith angle
+  int depthHeight = 64;       // and over height
+  int sourceWidth = 96;       // texels of the source over the Sun's zenith angle
+  int sourceHeight = 24;      // and over height
+  int zenithDirections = 16;  // directions over which radiance is averaged
+  int azimuthDirections = 8;  // in half a turn
+  int sourceSamples = 12;     // samples a leg, when the source is computed
+  int skySamples = 16;        // samples a leg, in the sky table
+  int viewSamples = 8;        // samples a leg, per pixel
+  int skyWidth = 48;          // texels of the sky table over half a turn of azimuth
+  int skyHeight = 128;        // and over zenith angle
+  // Throws InputError with file and line for unknown keys and values out of range.
+  static AirQuality read(const Table& table);
+  // configs/quality/<name>.toml
+  static AirQuality preset(const std::string& name);
+};
+
+}  // namespace antumbra

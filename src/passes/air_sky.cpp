@@ -1,0 +1,68 @@
+#include "passes/air_sky.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace antumbra {
+namespace {
+
+struct SkyBlock {  // std140, interface/air_sky.glsl
+  glm::vec4 up, sunward, side, dip;
+};
+
+gl::Definitions definitionsOf(const AirTables& tables, const gl::Definitions& shadows) {
+  auto d = tables.definitions();
+  for (const char* flag : {"AIR_SINGLE", "AIR_SOURCE", "AIR_SEPARATE", "AIR_CUTS"})
+    d.emplace_back(flag, "");
+  d.insert(d.end(), shadows.begin(), shadows.end());
+  return d;
+}
+
+}  // namespace
+
+AirSky::AirSky(const AirTables& tables, const gl::Definitions& shadowDefinitions)
+    : program_(
+          gl::Program::compute("passes/air_sky.comp", definitionsOf(tables, shadowDefinitions))),
+      nodes_(tables.quality().skySamples),
+      wholeTurn_(!shadowDefinitions.empty()) {
+  auto const& q = tables.quality();
+  int const width = wholeTurn_ ? 2 * q.skyWidth : q.skyWidth;
+  joint_ = gl::Texture::layers(GL_RGBA32F, width, q.skyHeight, tables.layers());
+  peaked_ = gl::Texture::layers(GL_RGBA32F, width, q.skyHeight,
+                                std::max(tables.layers() * tables.peakedCount(), 1));
+}
+
+void AirSky::update(const AirTables& tables, Length cameraHeight, const glm::dvec3& up,
+                    const glm::dvec3& sun) {
+  double const sunCosine = std::clamp(glm::dot(up, sun), -1.0, 1.0);
+  glm::dvec3 level = sun - up * sunCosine;
+  if (glm::length(level) < 1e-9)  // the Sun in the zenith: any azimuth will do
+    level = glm::cross(up, std::fabs(up.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0));
+  glm::dvec3 const sunward = glm::normalize(level);
+  glm::dvec3 const side = glm::cross(up, sunward);
+  double const h = std::max(cameraHeight.si, 0.0), radius = tables.groundRadius().si;
+  SkyBlock const block{
+      glm::vec4(glm::vec3(up), static_cast<float>(h)),
+      glm::vec4(glm::vec3(sunward), static_cast<float>(sunCosine)),
+      glm::vec4(glm::vec3(side), wholeTurn_ ? 1.0f : 0.0f),
+      glm::vec4(static_cast<float>(std::atan2(std::sqrt(h * (2.0 * radius + h)), radius)), 0.0f,
+                0.0f, 0.0f)};
+  block_.write(block);
+  tables.bind();
+  nodes_.bind();
+  block_.bindUniform(6);
+  program_.use();
+  joint_.bindImage(0, GL_WRITE_ONLY);
+  peaked_.bindImage(1, GL_WRITE_ONLY);
+  glDispatchCompute(static_cast<GLuint>((joint_.width() + 7) / 8),
+                    static_cast<GLuint>((joint_.height() + 7) / 8), 1);
+  glMemoryBarrier(GL_ALL_BARRIER_BITS);
+}
+
+void AirSky::bind() const {
+  block_.bindUniform(6);
+  joint_.bind(6);
+  peaked_.bind(7);
+}
+
+}  // namespace antumbra

@@ -1,0 +1,279 @@
+#include "passes/air_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "passes/gauss_legendre.h"
+#include "photometry/spectral_weights.h"
+
+namespace antumbra {
+namespace {
+
+constexpr int kDensityTexels = 1024;
+constexpr int kPhaseTexels = 2048;
+constexpr int kMoments = 7;  // of a spectral layer in the source table
+
+// Legendre moment of a phase function: 2 pi times the integral of p P_l over the cosine; composite
+// midpoint in sqrt((1 - cosine)/2), which follows forward peaks.
+double legendreMoment(const PhaseFunction& phase, Length wavelength, int degree) {
+  constexpr int steps = 4000;
+  double sum = 0.0, norm = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    double const x = (i + 0.5) / steps;
+    double const cosine = 1.0 - 2.0 * x * x;
+    double const p = phase.at(wavelength, cosine) * 4.0 * x / steps;
+    norm += p;
+    sum += p * (degree == 1 ? cosine : 1.5 * cosine * cosine - 0.5);
+  }
+  return sum / norm;
+}
+
+bool isSmooth(const Constituent& c) {
+  bool const scatters = !c.scattering.isConstant() || c.scattering.at(550.0 * nanometre) > 0.0;
+  return !scatters || c.phase.kind() == PhaseFunction::Kind::kIsotropic ||
+         c.phase.kind() == PhaseFunction::Kind::kRayleigh;
+}
+
+// Smooth constituents first, in the order of the file otherwise.
+std::vector<std::size_t> tableOrder(const Medium& medium) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < medium.constituents.size(); ++i) order.push_back(i);
+  std::stable_partition(order.begin(), order.end(),
+                        [&](std::size_t i) { return isSmooth(medium.constituents[i]); });
+  return order;
+}
+
+// Spectral albedo from a linear sRGB colour: the bands of a piecewise linear basis, corrected by
+// the least change that makes white light reflected by a colour come out as that colour times
+// white. Columns: red, green, blue; a row per wavelength; rows sum to 1.
+std::vector<glm::dvec3> albedoBasis(const std::vector<Length>& wavelengths,
+                                    const std::vector<glm::dvec3>& weights) {
+  std::vector<glm::dvec3> basis;
+  for (Length w : wavelengths) {
+    double const nm = w / nanometre;
+    // Bands meet at 495 and 590 nm.
+    double const toGreen = std::clamp((nm - 475.0) / 40.0, 0.0, 1.0);
+    double const toRed = std::clamp((nm - 570.0) / 40.0, 0.0, 1.0);
+    basis.emplace_back(toRed, toGreen * (1.0 - toRed), 1.0 - toGreen);
+  }
+  glm::dmat3 gram(0.0), reached(0.0);
+  glm::dvec3 white(0.0);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    gram += glm::outerProduct(weights[i], weights[i]);
+    reached += glm::outerProduct(weights[i], basis[i]);
+    white += weights[i];
+  }
+  glm::dmat3 wanted(0.0);
+  for (int i = 0; i < 3; ++i) wanted[i][i] = white[i];
+  if (std::fabs(glm::determinant(gram)) > 1e-12 * std::pow(gram[0][0] + gram[1][1], 3.0)) {
+    glm::dmat3 const change = glm::inverse(gram) * (wanted - reached);
+    for (std::size_t i = 0; i < weights.size(); ++i) basis[i] += weights[i] * change;
+  }
+  return basis;
+}
+
+std::vector<Length> padded(std::vector<Length> wavelengths) {
+  while (wavelengths.size() % 4) wavelengths.push_back(wavelengths.back());
+  return wavelengths;
+}
+
+std::vector<glm::dvec3> weightsOf(const std::vector<Length>& wavelengths) {
+  // Repeated wavelengths (padding) and single ones have no colour to speak of.
+  for (std::size_t i = 1; i < wavelengths.size(); ++i)
+    if (!(wavelengths[i] > wavelengths[i - 1]))
+      return std::vector<glm::dvec3>(wavelengths.size(), glm::dvec3(1.0));
+  return linearSrgbWeights(wavelengths);
+}
+
+}  // namespace
+
+std::vector<glm::vec4> airBlockOf(const Medium* medium, const std::vector<Length>& wavelengths,
+                                  Length groundRadius, double lowestSunCosine, Angle sunRadius,
+                                  const std::vector<std::size_t>& order) {
+  std::size_t const layers = wavelengths.size() / 4;
+  std::vector<glm::vec4> block;
+  double const top = medium ? medium->topHeight.si : 1.0;
+  block.emplace_back(groundRadius.si, top, lowestSunCosine, sunRadius.si);
+  auto const add = [&](auto&& value) {
+    for (std::size_t layer = 0; layer < layers; ++layer) {
+      glm::vec4 four;
+      for (int i = 0; i < 4; ++i)
+        four[i] = static_cast<float>(value(layer * 4 + static_cast<std::size_t>(i)));
+      block.push_back(four);
+    }
+  };
+  add([&](std::size_t i) { return medium ? medium->groundAlbedo.at(wavelengths[i]) : 0.0; });
+  auto const addConstituents = [&](auto&& value) {
+    for (std::size_t layer = 0; layer < layers; ++layer)
+      for (std::size_t c = 0; c < std::max<std::size_t>(order.size(), 1); ++c) {
+        glm::vec4 four(0.0f);
+        for (int i = 0; i < 4 && !order.empty(); ++i)
+          four[i] = static_cast<float>(value(medium->constituents[order[c]],
+                                             wavelengths[layer * 4 + static_cast<std::size_t>(i)]));
+        block.push_back(four);
+      }
+  };
+  addConstituents([](const Constituent& c, Length w) { return c.scattering.at(w); });
+  addConstituents(
+      [](const Constituent& c, Length w) { return c.scattering.at(w) + c.absorption.at(w); });
+  addConstituents([](const Constituent& c, Length w) { return legendreMoment(c.phase, w, 1); });
+  addConstituents([](const Constituent& c, Length w) { return legendreMoment(c.phase, w, 2); });
+  auto const weights = weightsOf(wavelengths);
+  for (int channel = 0; channel < 3; ++channel)
+    add([&](std::size_t i) { return weights[i][channel]; });
+  auto const basis = albedoBasis(wavelengths, weights);
+  for (int channel = 0; channel < 3; ++channel)
+    add([&](std::size_t i) { return basis[i][channel]; });
+  return block;
+}
+
+QuadratureBlock::QuadratureBlock(int count) {
+  std::vector<glm::vec4> content(65, glm::vec4(0.0f));
+  auto const nodes = gaussLegendre(count);
+  std::copy(nodes.begin(), nodes.end(), content.begin() + 1);
+  content[0].x = std::bit_cast<float>(count);
+  buffer_.write(std::span<const glm::vec4>(content));
+}
+
+AirTables::AirTables(const Medium& medium, Length groundRadius,
+                     const std::vector<Length>& wavelengths, const AirQuality& quality,
+                     Angle sunRadius)
+    : quality_(quality),
+      groundRadius_(groundRadius),
+      top_(medium.topHeight),
+      wavelengths_(padded(wavelengths)) {
+  glFinish();
+  auto const start = std::chrono::steady_clock::now();
+  layers_ = static_cast<int>(wavelengths_.size() / 4);
+  auto const order = tableOrder(medium);
+  constituents_ = static_cast<int>(order.size());
+  peaked_ = static_cast<int>(std::count_if(medium.constituents.begin(), medium.constituents.end(),
+                                           [](const Constituent& c) { return !isSmooth(c); }));
+  definitions_ = {{"AIR", ""},
+                  {"AIR_LAYERS", std::to_string(layers_)},
+                  {"AIR_CONSTITUENTS", std::to_string(constituents_)},
+                  {"AIR_SMOOTH", std::to_string(constituents_ - peaked_)}};
+  // Twice the angle by which the top sees the Sun below the ground's horizon, and 5 degrees.
+  double const dip = std::acos(groundRadius / (groundRadius + top_));
+  double const lowest = -std::sin(std::min(2.0 * dip + 5.0 * degree.si, 0.5 * std::numbers::pi));
+  auto const block = airBlockOf(&medium, wavelengths_, groundRadius, lowest, sunRadius, order);
+  block_.write(std::span<const glm::vec4>(block));
+  buildDensities(medium, order);
+  buildPhases(medium, order);
+  buildDepths();
+  buildSource();
+  glFinish();
+  precomputeSeconds_ =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void AirTables::buildDensities(const Medium& medium, const std::vector<std::size_t>& order) {
+  int const rows = (constituents_ + 3) / 4;
+  std::vector<float> texels(static_cast<std::size_t>(kDensityTexels * rows * 4), 0.0f);
+  for (std::size_t c = 0; c < order.size(); ++c)
+    for (int i = 0; i < kDensityTexels; ++i) {
+      double const x = static_cast<double>(i) / (kDensityTexels - 1);
+      // The last texel holds the density just below the top.
+      double const height = std::min(x * x, 1.0 - 1e-9) * medium.topHeight.si;
+      std::size_t const at = (c / 4) * kDensityTexels * 4 + static_cast<std::size_t>(i) * 4 + c % 4;
+      texels[at] = static_cast<float>(medium.constituents[order[c]].density.atMetres(height));
+    }
+  densities_ = gl::Texture::plane(GL_RGBA32F, kDensityTexels, rows);
+  densities_.upload(texels, 4);
+}
+
+void AirTables::buildPhases(const Medium& medium, const std::vector<std::size_t>& order) {
+  int const rows = layers_ * constituents_;
+  std::vector<float> texels(static_cast<std::size_t>(kPhaseTexels * rows * 4), 0.0f);
+  for (int layer = 0; layer < layers_; ++layer)
+    for (int c = 0; c < constituents_; ++c)
+      for (int i = 0; i < kPhaseTexels; ++i)
+        for (int k = 0; k < 4; ++k) {
+          double const x = static_cast<double>(i) / (kPhaseTexels - 1);
+          auto const at = ((layer * constituents_ + c) * kPhaseTexels + i) * 4 + k;
+          texels[static_cast<std::size_t>(at)] =
+              static_cast<float>(medium.constituents[order[static_cast<std::size_t>(c)]].phase.at(
+                  wavelengths_[static_cast<std::size_t>(layer * 4 + k)], 1.0 - 2.0 * x * x));
+        }
+  phases_ = gl::Texture::plane(GL_RGBA32F, kPhaseTexels, rows);
+  phases_.upload(texels, 4);
+}
+
+void AirTables::bind() const {
+  block_.bindUniform(1);
+  densities_.bind(2);
+  if (depths_) depths_.bind(3);
+  if (source_) source_.bind(4);
+  phases_.bind(5);
+}
+
+void AirTables::buildDepths() {
+  depths_ = gl::Texture::layers(GL_RGBA32F, quality_.depthWidth, quality_.depthHeight, layers_);
+  auto const program = gl::Program::compute("precompute/air_depth.comp", definitions_);
+  QuadratureBlock const nodes(48);
+  bind();
+  nodes.bind();
+  program.use();
+  depths_.bindImage(0, GL_WRITE_ONLY);
+  glDispatchCompute(static_cast<GLuint>((quality_.depthWidth + 7) / 8),
+                    static_cast<GLuint>((quality_.depthHeight + 7) / 8),
+                    static_cast<GLuint>(layers_));
+  glMemoryBarrier(GL_ALL_BARRIER_BITS);
+}
+
+void AirTables::buildSource() {
+  int const width = quality_.sourceWidth, height = quality_.sourceHeight;
+  int const directions = quality_.zenithDirections * quality_.azimuthDirections;
+  source_ = gl::Texture::layers(GL_RGBA32F, width, height, kMoments * layers_);
+  auto const previous = gl::Texture::layers(GL_RGBA32F, width, height, kMoments * layers_);
+  auto const radiances = gl::Texture::layers(GL_RGBA32F, width, height, directions * layers_);
+  auto with = [&](const char* flag) {
+    auto d = definitions_;
+    d.emplace_back(flag, "");
+    return d;
+  };
+  auto const first = gl::Program::compute("precompute/air_radiance.comp", with("AIR_SINGLE"));
+  auto const next = gl::Program::compute("precompute/air_radiance.comp", with("AIR_SOURCE"));
+  auto const moments = gl::Program::compute("precompute/air_moments.comp", definitions_);
+  QuadratureBlock const nodes(quality_.sourceSamples);
+  gl::Buffer zenith;
+  std::vector<glm::vec4> zenithNodes(64, glm::vec4(0.0f));
+  auto const half = gaussLegendre(quality_.zenithDirections / 2);
+  std::copy(half.begin(), half.end(), zenithNodes.begin());
+  zenith.write(std::span<const glm::vec4>(zenithNodes));
+  auto const groupsX = static_cast<GLuint>((width + 7) / 8);
+  auto const groupsY = static_cast<GLuint>((height + 3) / 4);
+  glm::ivec2 const counts(quality_.zenithDirections, quality_.azimuthDirections);
+  for (int order = 1; order <= quality_.orders; ++order) {
+    bind();
+    nodes.bind();
+    zenith.bindUniform(4);
+    if (order > 1) previous.bind(4);
+    auto const& program = order == 1 ? first : next;
+    program.set("directionCount", counts).use();
+    radiances.bindImage(0, GL_WRITE_ONLY);
+    glDispatchCompute(groupsX, groupsY, static_cast<GLuint>(directions));
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    moments.set("directionCount", counts)
+        .set("order", order)
+        .set("lastOrder", quality_.orders)
+        .use();
+    radiances.bindImage(0, GL_READ_ONLY);
+    previous.bindImage(1, GL_READ_WRITE);
+    source_.bindImage(2, GL_READ_WRITE);
+    glDispatchCompute(groupsX, groupsY, static_cast<GLuint>(layers_));
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    glFinish();
+  }
+}
+
+std::size_t AirTables::bytes() const {
+  return densities_.bytes() + phases_.bytes() + depths_.bytes() + source_.bytes();
+}
+
+}  // namespace antumbra

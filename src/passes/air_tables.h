@@ -1,0 +1,79 @@
+// The precomputed tables of one body's air, for a list of wavelengths: densities, phase functions,
+// optical depths to the top, and the source of multiple scattering (moments of the radiance that
+// has been scattered or reflected at least once, over height and the Sun's zenith angle).
+//
+// The source is iterated by orders: for every cell the radiance from a set of directions, marched
+// through the previous order's moments with the ground's reflection, is projected on harmonics up
+// to degree 2. For molecules that is exact (their phase function has no others); the multiply
+// scattered share of peaked constituents keeps its first two moments. Errors:
+// configs/quality/README.md.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "gl/buffer.h"
+#include "gl/program.h"
+#include "gl/texture.h"
+#include "medium/medium.h"
+#include "passes/air_quality.h"
+#include "quantity/quantity.h"
+
+namespace antumbra {
+
+// Uniforms of interface/air.glsl, as many as a medium and its wavelengths need.
+std::vector<glm::vec4> airBlockOf(const Medium* medium, const std::vector<Length>& wavelengths,
+                                  Length groundRadius, double lowestSunCosine, Angle sunRadius,
+                                  const std::vector<std::size_t>& order);
+
+class AirTables {
+ public:
+  // `groundRadius` is the equatorial radius of the body in hand (the medium's own for a sphere).
+  // `wavelengths` are padded to a multiple of four by repeating the last. Needs a context.
+  AirTables(const Medium& medium, Length groundRadius, const std::vector<Length>& wavelengths,
+            const AirQuality& quality, Angle sunRadius);
+
+  // Of every program that includes interface/air.glsl.
+  const gl::Definitions& definitions() const { return definitions_; }
+  // Binds uniform block 1 and texture units 2 to 5.
+  void bind() const;
+  int layers() const { return layers_; }
+  int peakedCount() const { return peaked_; }
+  Length groundRadius() const { return groundRadius_; }
+  Length top() const { return top_; }
+  const std::vector<Length>& wavelengths() const { return wavelengths_; }
+  const AirQuality& quality() const { return quality_; }
+  std::size_t bytes() const;
+  double precomputeSeconds() const { return precomputeSeconds_; }
+  const gl::Texture& source() const { return source_; }
+  const gl::Texture& depths() const { return depths_; }
+
+ private:
+  void buildDensities(const Medium& medium, const std::vector<std::size_t>& order);
+  void buildPhases(const Medium& medium, const std::vector<std::size_t>& order);
+  void buildDepths();
+  void buildSource();
+
+  AirQuality quality_;
+  Length groundRadius_, top_;
+  std::vector<Length> wavelengths_;
+  int layers_ = 1;
+  int constituents_ = 0;
+  int peaked_ = 0;
+  gl::Definitions definitions_;
+  gl::Buffer block_;
+  gl::Texture densities_, phases_, depths_, source_;
+  double precomputeSeconds_ = 0.0;
+};
+
+// Binds Gauss-Legendre nodes to uniform block 3.
+class QuadratureBlock {
+ public:
+  explicit QuadratureBlock(int count);
+  void bind() const { buffer_.bindUniform(3); }
+
+ private:
+  gl::Buffer buffer_;
+};
+
+}  // namespace antumbra

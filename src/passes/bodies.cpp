@@ -1,0 +1,289 @@
+#include "passes/bodies.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "document/paths.h"
+#include "gl/view_block.h"
+#include "medium/medium.h"
+#include "passes/air_sky.h"
+#include "passes/air_tables.h"
+#include "passes/body_shadows.h"
+#include "photometry/spectral_weights.h"
+#include "quantity/constants.h"
+
+namespace antumbra {
+namespace {
+
+struct BodyBlock {  // std140, interface/body.glsl
+  glm::vec4 scaledFromCamera[3];
+  glm::vec4 scaledCrossFromCross[3];
+  glm::vec4 centre, up, heights, sun, trueSun, shape, albedo, mapFactor, night;
+};
+
+// Light of a Lommel-Seeliger sphere at a phase angle over that of the Moon's measured law
+// (Krisciunas & Schaefer 1991, PASP 103, 1033, eq. 9: V grows by 0.026 a + 4e-9 a^4 with a in
+// degrees), both 1 at full phase: the factor that gives the sphere the Moon's brightness.
+double lunarPhaseFactor(Angle phase) {
+  double const a = std::min(phase / degree, 170.0);
+  double const measured = std::pow(10.0, -0.4 * (0.026 * a + 4e-9 * a * a * a * a));
+  if (a < 1e-3) return measured;
+  double const h = 0.5 * a * degree.si;
+  double const sphere = 1.0 - std::sin(h) * std::tan(h) * std::log(1.0 / std::tan(0.5 * h));
+  return measured / sphere;
+}
+
+std::string keyOf(const gl::Definitions& definitions) {
+  std::string key;
+  for (auto const& [name, value] : definitions) key += name + "=" + value + ";";
+  return key;
+}
+
+struct SurfaceMaps {
+  gl::Texture colour, water, night;
+};
+
+// What a body has resident, by its name.
+struct Resident {
+  std::string air;  // key of its tables, or empty
+  std::unique_ptr<BodyShadows> shadows;
+  int pairCount = 0;
+  LimbDarkeningLaw law = LimbDarkeningLaw::Hestroffer;
+  std::unique_ptr<AirSky> sky;
+  bool skyShown = false;
+  gl::Buffer block;
+  std::string program;
+  glm::dvec3 up{0.0, 0.0, 1.0}, sun{1.0, 0.0, 0.0};
+};
+
+}  // namespace
+
+struct BodiesPass::State {
+  ImageSource images;
+  AirQuality quality;
+  std::vector<Length> wavelengths;
+  gl::Buffer vacuum;  // colours for bodies without air
+  QuadratureBlock viewNodes;
+  std::map<std::string, std::unique_ptr<AirTables>> airs;
+  std::map<std::string, gl::Texture> maps;
+  std::map<std::string, Resident> bodies;
+  std::map<std::string, gl::Program> programs;
+  int tablesBuilt = 0;
+
+  State(ImageSource source, const AirQuality& q)
+      : images(std::move(source)), quality(q), viewNodes(q.viewSamples) {
+    wavelengths = defaultWavelengths(q.wavelengths);
+    auto const block = airBlockOf(nullptr, wavelengths, 1.0 * metre, -0.5, Angle(0.00465), {});
+    vacuum.write(std::span<const glm::vec4>(block));
+  }
+
+  const gl::Texture* map(const std::string& file, const std::string& where, bool colour) {
+    if (file.empty()) return nullptr;
+    auto const found = maps.find(file);
+    if (found != maps.end()) return &found->second;
+    DecodedImage const image = images(file, where);
+    GLenum const format = image.components == 1 ? GL_R8
+                          : colour ? (image.components == 3 ? GL_SRGB8 : GL_SRGB8_ALPHA8)
+                                   : GL_RGBA8;
+    auto texture = gl::Texture::plane(format, image.width, image.height, gl::Filter::Mipmapped,
+                                      gl::Wrap::RepeatHorizontally, 0);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    texture.upload(std::span<const unsigned char>(image.texels), image.components);
+    return &(maps[file] = std::move(texture));
+  }
+
+  AirTables* air(const PlannedBody& body, std::string& key) {
+    if (body.atmosphere.empty()) return nullptr;
+    key = fmt::format("{} on {:.0f} m", body.atmosphere, body.equatorialRadius.si);
+    auto& tables = airs[key];
+    if (!tables) {
+      Medium const medium =
+          readMedium(catalogsFolder() / "atmospheres" / (body.atmosphere + ".toml"));
+      Angle const sunRadius(kSolarRadiusIau.si / glm::length(body.sun.m));
+      tables = std::make_unique<AirTables>(medium, body.equatorialRadius, wavelengths, quality,
+                                           sunRadius);
+      ++tablesBuilt;
+    }
+    return tables.get();
+  }
+};
+
+BodiesPass::BodiesPass(ImageSource images, const AirQuality& quality)
+    : state_(std::make_unique<State>(std::move(images), quality)) {}
+BodiesPass::~BodiesPass() = default;
+
+void BodiesPass::prepare(const PlannedBody& body, const Projection& picture, const Look& look) {
+  auto& s = *state_;
+  auto& resident = s.bodies[body.name];
+  double const radius = body.equatorialRadius.si;
+  double const flat = body.polarRadius / body.equatorialRadius;
+  AirTables* const air = s.air(body, resident.air);
+
+  glm::dvec3 const stretch(1.0, 1.0, 1.0 / flat);
+  glm::dmat3 const& turn = body.bodyFromCamera.matrix;
+  // Scaled-space position of the camera, and the Sun's direction there.
+  glm::dvec3 const camera = stretch * (turn * -body.centre.m);
+  double const cameraDistance = glm::length(camera);
+  resident.up = camera / cameraDistance;
+  resident.sun = glm::normalize(stretch * body.sun.m);
+
+  gl::Definitions shadowFlags;
+  resident.pairCount = static_cast<int>(body.casters.size());
+  if (!body.casters.empty()) {
+    std::vector<glsl::ShadowPair> pairs;
+    for (auto const& caster : body.casters)
+      pairs.push_back(shadowPair(body.sun, caster.centre, caster.radii));
+    double const reach = radius + (air ? air->top().si : 0.0);
+    gl::Definitions const wanted{{"SHADOW_PAIRS", std::to_string(pairs.size())}};
+    if (!resident.shadows || keyOf(resident.shadows->definitions()) != keyOf(wanted) ||
+        resident.law != look.law) {
+      resident.shadows =
+          std::make_unique<BodyShadows>(pairs, flat, look.law, s.wavelengths, Length(reach));
+      resident.sky.reset();
+    } else {
+      resident.shadows->update(pairs);
+    }
+    resident.law = look.law;
+    shadowFlags = wanted;
+    resident.shadows->bind();
+  } else if (resident.shadows) {
+    resident.shadows.reset();
+    resident.sky.reset();
+  }
+
+  auto definitions = gl::projectionDefinition(picture.kind);
+  if (air) {
+    definitions.insert(definitions.end(), air->definitions().begin(), air->definitions().end());
+    definitions.emplace_back("AIR_SINGLE", "");
+    definitions.emplace_back("AIR_SOURCE", "");
+  } else {
+    definitions.emplace_back("AIR_LAYERS", std::to_string(s.wavelengths.size() / 4));
+    definitions.emplace_back("AIR_CONSTITUENTS", "1");
+    definitions.emplace_back("AIR_SMOOTH", "1");
+  }
+  resident.skyShown = air && AirSky::serves(*air, body.cameraHeight);
+  if (resident.skyShown) {
+    if (!resident.sky) resident.sky = std::make_unique<AirSky>(*air, shadowFlags);
+    definitions.emplace_back("AIR_SKY", "");
+    repeatSky(body);
+  }
+  definitions.insert(definitions.end(), shadowFlags.begin(), shadowFlags.end());
+  const gl::Texture* const colour = s.map(body.map, body.name + ", map", true);
+  if (colour) definitions.emplace_back("SURFACE_MAP", "");
+  if (s.map(body.waterMask, body.name + ", water_mask", false))
+    definitions.emplace_back("WATER_MASK", "");
+  if (s.map(body.nightMap, body.name + ", night_map", true))
+    definitions.emplace_back("NIGHT_MAP", "");
+  if (body.lommelSeeliger) definitions.emplace_back("SURFACE_LUNAR", "");
+  if (look.illustrative) definitions.emplace_back("ILLUSTRATIVE", "");
+  resident.program = keyOf(definitions);
+  if (!s.programs.count(resident.program))
+    s.programs[resident.program] = gl::Program::fullScreen("passes/body.frag", definitions);
+
+  BodyBlock block{};
+  glm::dmat3 const scaledFromCamera =
+      glm::dmat3(stretch.x, 0, 0, 0, stretch.y, 0, 0, 0, stretch.z) * turn;
+  glm::dmat3 const crossFromCross = glm::dmat3(stretch.z, 0, 0, 0, stretch.z, 0, 0, 0, 1) * turn;
+  for (int i = 0; i < 3; ++i) {
+    block.scaledFromCamera[i] = glm::vec4(glm::vec3(scaledFromCamera[i]), 0.0f);
+    block.scaledCrossFromCross[i] = glm::vec4(glm::vec3(crossFromCross[i]), 0.0f);
+  }
+  double const distance = glm::length(body.centre.m);
+  Direction<CameraAxes> const toCentre = directionOf(body.centre);
+  glm::vec3 const prepared = gl::prepareDirection(picture.kind, toCentre);
+  block.centre =
+      glm::vec4(prepared, static_cast<float>(distance / glm::length(glm::dvec3(prepared))));
+  block.up = glm::vec4(glm::vec3(resident.up), static_cast<float>(cameraDistance));
+  double const h = body.cameraHeight.si;
+  double const top = air ? air->top().si : 0.0;
+  // Below the spheroid the camera is drawn from its surface.
+  double const above = std::max(h, 0.01);
+  block.heights =
+      glm::vec4(above, above * (2.0 * radius + above), (above - top) * (2.0 * radius + above + top),
+                h > 0.4 * radius ? 1.0 : 0.0);
+  double const sunDistance = glm::length(body.sun.m);
+  double const irradiance = std::pow(astronomicalUnit.si / sunDistance, 2.0);
+  block.sun = glm::vec4(glm::vec3(resident.sun), static_cast<float>(irradiance));
+  block.trueSun = glm::vec4(glm::vec3(body.sun.m / sunDistance),
+                            static_cast<float>(kSolarRadiusIau.si / sunDistance));
+  block.shape = glm::vec4(radius, flat, picture.pixelAngle().si, 0.0);
+  block.albedo = glm::vec4(body.albedo, 0.0f);
+  block.mapFactor = glm::vec4(body.mapFactor, colour ? static_cast<float>(colour->width()) : 1.0f);
+  Angle const phase = angleBetween(directionOf(body.sun),
+                                   Direction<BodyFixed>{glm::normalize(turn * -body.centre.m)});
+  block.night = glm::vec4(body.nightLuminance, lunarPhaseFactor(phase), 0.0, 0.0);
+  resident.block.write(block);
+}
+
+bool BodiesPass::repeatSky(const PlannedBody& body) {
+  auto& s = *state_;
+  auto const found = s.bodies.find(body.name);
+  if (found == s.bodies.end() || !found->second.sky || !found->second.skyShown) return false;
+  auto& resident = found->second;
+  if (resident.shadows) resident.shadows->bind();
+  resident.sky->update(*s.airs.at(resident.air), body.cameraHeight, resident.up, resident.sun);
+  return true;
+}
+
+void BodiesPass::draw(const PlannedBody& body, const Projection& picture, glm::ivec2 tileOrigin,
+                      glm::ivec2 targetSize) {
+  auto& s = *state_;
+  auto const& resident = s.bodies.at(body.name);
+  PixelBounds const& b = body.bounds;
+  glm::ivec2 const low = glm::max(glm::ivec2(b.x0, b.y0) - tileOrigin, glm::ivec2(0));
+  glm::ivec2 const high = glm::min(glm::ivec2(b.x1, b.y1) - tileOrigin, targetSize);
+  if (high.x <= low.x || high.y <= low.y) return;
+  (void)picture;
+  s.programs.at(resident.program).use();
+  if (!resident.air.empty())
+    s.airs.at(resident.air)->bind();
+  else
+    s.vacuum.bindUniform(1);
+  if (resident.skyShown) resident.sky->bind();
+  if (resident.shadows) resident.shadows->bind();
+  resident.block.bindUniform(2);
+  s.viewNodes.bind();
+  if (!body.map.empty()) s.maps.at(body.map).bind(0);
+  if (!body.waterMask.empty()) s.maps.at(body.waterMask).bind(1);
+  if (!body.nightMap.empty()) s.maps.at(body.nightMap).bind(9);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(low.x, low.y, high.x - low.x, high.y - low.y);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_SRC1_COLOR);
+  gl::drawFullScreen();
+  glDisable(GL_BLEND);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+int BodiesPass::tablesBuilt() const { return state_->tablesBuilt; }
+
+int BodiesPass::shadowPairs() const {
+  int count = 0;
+  for (auto const& [name, resident] : state_->bodies) count += resident.pairCount;
+  return count;
+}
+
+std::vector<std::pair<std::string, std::size_t>> BodiesPass::residentBytes() const {
+  std::vector<std::pair<std::string, std::size_t>> list;
+  for (auto const& [name, tables] : state_->airs)
+    list.emplace_back("air of " + name, tables->bytes());
+  for (auto const& [name, map] : state_->maps) list.emplace_back("map " + name, map.bytes());
+  for (auto const& [name, resident] : state_->bodies) {
+    if (resident.shadows) list.emplace_back("shadows on " + name, resident.shadows->bytes());
+    if (resident.sky) list.emplace_back("sky of " + name, resident.sky->bytes());
+  }
+  return list;
+}
+
+std::vector<std::pair<std::string, double>> BodiesPass::precomputeSeconds() const {
+  std::vector<std::pair<std::string, double>> list;
+  for (auto const& [name, tables] : state_->airs)
+    list.emplace_back(name, tables->precomputeSeconds());
+  return list;
+}
+
+}  // namespace antumbra

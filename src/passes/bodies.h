@@ -1,0 +1,55 @@
+// Draws bodies with their surfaces, shadows and air: one full-screen triangle each, clipped to the
+// body's bounds, in any projection. Every pixel ray is met with the spheroid in the space in which
+// it is a sphere; the light toward the camera is added to what lies behind, dimmed by the air and
+// hidden by the surface (blending with two sources), so that bodies are drawn from far to near.
+// Luminance is absolute, cd/m2 per channel of linear sRGB.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "eclipse/limb_darkening.h"
+#include "gl/decoded_image.h"
+#include "passes/air_quality.h"
+#include "plan/planned_body.h"
+#include "view/projection.h"
+
+namespace antumbra {
+
+class BodiesPass {
+ public:
+  struct Look {
+    bool illustrative = false;  // flat colours in the shadows, lines of equal obscuration
+    LimbDarkeningLaw law = LimbDarkeningLaw::Hestroffer;
+  };
+  BodiesPass(ImageSource images, const AirQuality& quality);
+  ~BodiesPass();
+  BodiesPass(const BodiesPass&) = delete;
+  BodiesPass& operator=(const BodiesPass&) = delete;
+
+  // Makes resident what the body needs: its maps, its air's tables (once per medium), and what
+  // belongs to this picture alone: the shadows' tables and, low in its air, the sky about the
+  // camera. Throws InputError for a faulty medium file or map.
+  void prepare(const PlannedBody& body, const Projection& picture, const Look& look);
+  // Draws a body that `prepare` has seen into the bound framebuffer, whose lower left corner is
+  // `tileOrigin` of the picture; the view block is bound at 0. Leaves blending and scissor off.
+  void draw(const PlannedBody& body, const Projection& picture, glm::ivec2 tileOrigin,
+            glm::ivec2 targetSize);
+  // Draws again the sky table of a body, for measuring; false where it has none.
+  bool repeatSky(const PlannedBody& body);
+
+  int tablesBuilt() const;
+  int shadowPairs() const;  // handed to shaders in the bodies last prepared
+  std::vector<std::pair<std::string, std::size_t>> residentBytes() const;
+  std::vector<std::pair<std::string, double>> precomputeSeconds() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace antumbra

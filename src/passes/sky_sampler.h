@@ -1,0 +1,45 @@
+// Radiance of the sky and the ground in given directions, by the programs that draw pictures, with
+// tables computed for the wavelengths asked for.
+#pragma once
+
+#include <vector>
+
+#include "eclipse/limb_darkening.h"
+#include "eclipse/shadow_pair.h"
+#include "medium/medium.h"
+#include "passes/air_quality.h"
+#include "quantity/quantity.h"
+
+namespace antumbra {
+
+struct SkyDirection {
+  Angle viewZenith;       // above 90 deg: down
+  Angle relativeAzimuth;  // 0 toward the Sun
+};
+
+struct SkyRequest {
+  Length altitude;       // above the medium's sphere; any height
+  Angle sunZenith;       // at the camera
+  Angle sunRadius{0.0};  // 0: a point
+  std::vector<SkyDirection> directions;
+  std::vector<Length> wavelengths;
+  // Casters, in metres from the medium's centre; axes: z through the camera, x toward the Sun's
+  // azimuth.
+  std::vector<glsl::ShadowPair> casters;
+  LimbDarkeningLaw law = LimbDarkeningLaw::Hestroffer;
+};
+
+// L/E0 in 1/sr, without the solar disc: directions in the order given, wavelengths innermost. E0 is
+// the irradiance outside the air. Needs a context.
+std::vector<double> sampleSky(const Medium& medium, const SkyRequest& request,
+                              const AirQuality& quality);
+
+// Irradiance on a horizontal surface at the camera over E0, by wavelength: direct and diffuse. The
+// camera is at most at the top of the air.
+struct SkyIrradiance {
+  double direct, diffuse;
+};
+std::vector<SkyIrradiance> sampleSkyIrradiance(const Medium& medium, const SkyRequest& request,
+                                               const AirQuality& quality);
+
+}  // namespace antumbra
