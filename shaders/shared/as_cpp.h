@@ -50,6 +50,7 @@ using glm::tan;
 #include "shared/eclipse_types.glsl"
 #include "shared/quantities.glsl"
 namespace {
+#include "shared/air_geometry.glsl"
 #include "shared/corona.glsl"
 #include "shared/eclipse.glsl"
 #include "shared/limb_darkening.glsl"
@@ -57,6 +58,7 @@ namespace {
 #include "shared/pixel_scale.glsl"
 #include "shared/point_spread.glsl"
 #include "shared/projection.glsl"
+#include "shared/surface.glsl"
 #include "shared/tone_curve.glsl"
 }  // namespace
 }  // namespace antumbra::glsl

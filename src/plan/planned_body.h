@@ -38,9 +38,9 @@ struct PlannedBody {
   double diameterPixels = 0;  // in the picture
   PixelBounds bounds;         // of its disc (with its air)
 
-  std::string map;         // file under catalogs/, or empty
-  std::string atmosphere;  // medium file stem under catalogs/atmospheres, or empty
-  glm::vec3 albedo{0.0f};  // linear sRGB Bond-like albedo where there is no map
+  std::string map;            // file under catalogs/, or empty
+  std::string atmosphere;     // medium file stem under catalogs/atmospheres, or empty
+  glm::vec3 albedo{0.0f};     // linear sRGB Bond-like albedo where there is no map
   std::string waterMask;      // file under catalogs/, or empty: where the map shows water
   std::string nightMap;       // file under catalogs/, or empty
   double nightLuminance = 0;  // cd/m2 of the night map's full scale
