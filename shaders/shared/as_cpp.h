@@ -53,6 +53,7 @@ namespace {
 #include "shared/air_geometry.glsl"
 #include "shared/corona.glsl"
 #include "shared/eclipse.glsl"
+#include "shared/glare.glsl"
 #include "shared/limb_darkening.glsl"
 #include "shared/phase.glsl"
 #include "shared/pixel_scale.glsl"
