@@ -4,6 +4,7 @@
 
 layout(binding = 0) uniform sampler2D image;  // linear sRGB, cd/m^2
 uniform float perCandela;                     // 1 / luminance of display white
+uniform vec3 channelGains;                    // adaptation to the scene's white
 uniform vec2 tileOrigin;                      // pixels: the dither belongs to the picture
 uniform float ditherSteps;                    // 1, or 0 for none
 
@@ -16,7 +17,8 @@ float gradientNoise(vec2 pixel) {
 }
 
 void main() {
-  vec3 c = displayColour(texelFetch(image, ivec2(gl_FragCoord.xy), 0).rgb, perCandela);
+  vec3 scene = texelFetch(image, ivec2(gl_FragCoord.xy), 0).rgb * channelGains;
+  vec3 c = displayColour(scene, perCandela);
   vec3 s = vec3(srgbEncoded(c.x), srgbEncoded(c.y), srgbEncoded(c.z));
   // A bound of 0.499 steps keeps 0 at 0 and 255 at 255 after rounding.
   float noise = gradientNoise(gl_FragCoord.xy + tileOrigin) * 0.998;

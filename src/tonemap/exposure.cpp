@@ -13,6 +13,10 @@ constexpr double kHighShare = 0.02;
 // Brings the published key, made for another curve, to 0.28 of white for a noon sky.
 constexpr double kDisplayKeyScale = 0.4;
 
+// Highlights of the 98th percentile stay within two stops above white, where the curve still parts
+// them.
+constexpr double kMostOverWhite = 4.0;
+
 }  // namespace
 
 Exposure exposureOfEv(double ev100) { return {0.125 * std::exp2(ev100) / kMiddleGrey}; }
@@ -67,7 +71,7 @@ Exposure exposureFor(const MeterReading& reading, const AutomaticExposure& setti
   if (!reading.black) {
     double const l = reading.meanLuminance;
     double const key = kDisplayKeyScale * (1.03 - 2.0 / (2.0 + std::log10(l + 1.0)));
-    white = std::max(white, l / key);
+    white = std::max({white, l / key, reading.highLuminance / kMostOverWhite});
   }
   return {white * std::exp2(-settings.compensationStops)};
 }

@@ -5,8 +5,9 @@
 // what is left (black space, the mask of a dome has no weight at all), and puts the mean of log
 // luminance of the rest at a grey that falls with the scene's own level, as the eye's impression of
 // night does: the key of Krawczyk, Myszkowski & Seidel 2005 (SCCG, "Perceptual effects in real-time
-// tone mapping", eq. 11), 1.03 - 2 / (2 + log10(L + 1)), times kDisplayKeyScale. Pure functions of
-// the meter: an off-line picture does not depend on those before it.
+// tone mapping", eq. 11), 1.03 - 2 / (2 + log10(L + 1)), times kDisplayKeyScale; the 98th
+// percentile stays within two stops above white. Pure functions of the meter: an off-line picture
+// does not depend on those before it.
 #pragma once
 
 #include <span>

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "gl/view_block.h"
+#include "photometry/colour.h"
+#include "photometry/standard_spectra.h"
 
 namespace antumbra {
 namespace {
@@ -28,6 +30,7 @@ ToneMap::ToneMap(ProjectionKind kind)
       display_(gl::Program::fullScreen("tonemap/display.frag")),
       cells_(gl::Texture::plane(GL_RG32F, kCellsAcross, kCellsUp, gl::Filter::Nearest)),
       cellTarget_({&cells_}) {
+  setAdaptedWhite(linearSrgbFromXyz(xyzOfRelativeRadiance([](Length) { return 1.0; })));
   glCreateBuffers(1, &readBuffer_);
   glNamedBufferStorage(readBuffer_, kCellCount * sizeof(MeterCell), nullptr,
                        GL_MAP_READ_BIT | GL_CLIENT_STORAGE_BIT);
@@ -76,6 +79,10 @@ std::optional<MeterReading> ToneMap::measureWithoutWaiting(const gl::Texture& pi
   return arrived;
 }
 
+void ToneMap::setAdaptedWhite(glm::dvec3 adaptedWhite) {
+  channelGains_ = luminanceOf(adaptedWhite) / adaptedWhite;
+}
+
 void ToneMap::apply(const gl::Texture& picture, Exposure exposure, const gl::Framebuffer* target,
                     glm::ivec2 tileOrigin, bool dither) {
   glDisable(GL_DEPTH_TEST);
@@ -85,6 +92,7 @@ void ToneMap::apply(const gl::Texture& picture, Exposure exposure, const gl::Fra
   picture.bind(0);
   display_.use();
   display_.set("perCandela", static_cast<float>(1.0 / exposure.whiteLuminance))
+      .set("channelGains", channelGains_)
       .set("tileOrigin", glm::vec2(tileOrigin))
       .set("ditherSteps", dither ? 1.0f : 0.0f);
   gl::drawFullScreen();

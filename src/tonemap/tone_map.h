@@ -26,6 +26,12 @@ class ToneMap {
   // Live: starts a measurement, unless one is under way, and returns the newest that has arrived.
   std::optional<MeterReading> measureWithoutWaiting(const gl::Texture& picture);
 
+  // The display's white (D65) stands for `adaptedWhite`, linear sRGB of any scale: the default is
+  // sunlight without air, to which the eye outdoors and a camera's daylight setting are adapted,
+  // and which would show pinkish otherwise. Von Kries' adaptation on the channels of sRGB; whites
+  // keep their luminance.
+  void setAdaptedWhite(glm::dvec3 adaptedWhite);
+
   // Draws `picture` (or a tile of it that begins at `tileOrigin`) into `target` of the same size,
   // an RGBA8 texture or a window (framebuffer already bound, null). Opaque. `dither` off is for
   // tests.
@@ -35,6 +41,7 @@ class ToneMap {
  private:
   void drawMeter(const gl::Texture& picture);
   gl::Program meter_, display_;
+  glm::vec3 channelGains_{1.0f};
   gl::Texture cells_;
   gl::Framebuffer cellTarget_;
   GLuint readBuffer_ = 0;

@@ -137,6 +137,7 @@ TEST_F(ToneMapGlTest, ShowsWhatTheCurveSaysWithinAStep) {
   auto const shown = gl::Texture::plane(GL_RGBA8, p.width, p.height);
   gl::Framebuffer const target({&shown});
   ToneMap toneMap(p.kind);
+  toneMap.setAdaptedWhite(glm::dvec3(1.0));
   for (bool dither : {false, true}) {
     toneMap.apply(picture.texture, {1.0}, &target, {0, 0}, dither);
     std::vector<float> const texels = shown.readRgba();
@@ -154,6 +155,18 @@ TEST_F(ToneMapGlTest, ShowsWhatTheCurveSaysWithinAStep) {
     EXPECT_LT(worst, dither ? 1.05 : 0.55);
     EXPECT_LT(std::fabs(sum / (3.0 * p.width * p.height)), 0.01);
   }
+}
+
+// Sunlight outside the air (ASTM E490 seen by the CIE 1931 observer) is grey on the display.
+TEST_F(ToneMapGlTest, ShowsSunlightWithoutAirAsGrey) {
+  Projection const p{ProjectionKind::Perspective, 60.0 * degree, 32, 32};
+  Picture const picture(p, [](int, int) { return glm::vec3(146606.0f, 130138.0f, 125651.0f); });
+  auto const shown = gl::Texture::plane(GL_RGBA8, p.width, p.height);
+  gl::Framebuffer const target({&shown});
+  // A fifth of white, below the knee: linear.
+  ToneMap(p.kind).apply(picture.texture, {5.0 * 133317.0}, &target, {0, 0}, false);
+  std::vector<float> const texels = shown.readRgba();
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(texels[k], glsl::srgbEncoded(0.2), 1.0 / 255.0);
 }
 
 TEST_F(ToneMapGlTest, KeepsBlackBlackAndTheSunWhite) {
