@@ -9,13 +9,17 @@
 
 #include "document/input_error.h"
 #include "document/paths.h"
+#include "eclipse/limb_darkening.h"
 #include "gl/buffer.h"
 #include "gl/context.h"
 #include "gl/framebuffer.h"
 #include "gl/texture.h"
 #include "gl/view_block.h"
+#include "passes/corona.h"
 #include "passes/stars.h"
+#include "passes/sun.h"
 #include "photometry/colour.h"
+#include "photometry/standard_spectra.h"
 #include "scene/apparent_stars.h"
 #include "scene/star_catalogue.h"
 #include "tonemap/tone_map.h"
@@ -31,12 +35,38 @@ glm::vec3 colouredLux(double lux, double colorIndexBv) {
   return glm::vec3(starColour(std::clamp(colorIndexBv, -0.4, 4.0)) * lux);
 }
 
+// Sunlight at 1 au without air, lx in linear sRGB (ASTM E490, CIE 1931).
+glm::dvec3 solarIlluminanceAtOneAu() {
+  static glm::dvec3 const lux =
+      linearSrgbFromXyz(xyzOfRelativeRadiance([](Length) { return 1.0; }));
+  return lux;
+}
+
+SunInView sunInView(const RenderPlan& plan, LimbDarkeningLaw law) {
+  SunInView sun;
+  sun.centre = plan.sun.distance * plan.sun.direction;
+  sun.radius = plan.sun.radius;
+  sun.north = plan.sun.north;
+  double const au = astronomicalUnit / plan.sun.distance;
+  sun.illuminanceLux = solarIlluminanceAtOneAu() * au * au;
+  sun.law = limbDarkening(law, kSolarChannels);
+  return sun;
+}
+
+SpheroidInView spheroidOf(const PlannedBody& body) {
+  return {body.centre, body.bodyFromCamera.inverse()(Direction<BodyFixed>{{0, 0, 1}}),
+          body.equatorialRadius, body.polarRadius};
+}
+
 }  // namespace
 
 // What is compiled once for each projection.
 struct ProjectionPasses {
-  explicit ProjectionPasses(ProjectionKind kind) : stars(kind), toneMap(kind) {}
+  explicit ProjectionPasses(ProjectionKind kind)
+      : stars(kind), sun(kind), corona(kind), toneMap(kind) {}
   StarsPass stars;
+  SunPass sun;
+  CoronaPass corona;
   ToneMap toneMap;
 };
 
@@ -100,6 +130,20 @@ struct FrameRenderer::State {
       for (auto const& p : plan.points)
         points.push_back({p.direction.u, colouredLux(p.illuminance, p.colorIndexBv)});
       run("points", [&] { passes.stars.draw(points); });
+    }
+    LimbDarkeningLaw const law =
+        parseLimbDarkeningLaw(scene.shadows.limbDarkening, scene.file + ": [shadows]");
+    if (plan.drawSun) {
+      SunInView const sun = sunInView(plan, law);
+      SunPlane const plane(sun);
+      // Bodies with air cover the Sun themselves, for their air reddens and dims it first.
+      std::vector<SpheroidInView> airless;
+      for (auto const& body : plan.bodies)
+        if (body.atmosphere.empty()) airless.push_back(spheroidOf(body));
+      auto const discs = plane.silhouettes(airless);
+      auto const wide = plane.silhouettes(airless, kCoronaEnd);
+      run("sun", [&] { passes.sun.draw(plan.picture, sun, plane, discs, origin); });
+      run("corona", [&] { passes.corona.draw(plan.picture, sun, plane, wide, {}, origin); });
     }
   }
 

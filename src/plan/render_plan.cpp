@@ -80,6 +80,9 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
       plan.sun.direction = direction;
       plan.sun.angularRadius = angularRadius(convention.sunRadius, distance);
       plan.sun.distance = distance;
+      plan.sun.radius = convention.sunRadius;
+      plan.sun.north =
+          (placed.cameraFromIcrs * b.bodyFromIcrs.inverse())(Direction<BodyFixed>{{0, 0, 1}});
       plan.sun.bounds = boundsOfCap(picture, direction, radius);
       plan.sun.inPicture = !plan.sun.bounds.empty();
       continue;

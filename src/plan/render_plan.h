@@ -24,8 +24,10 @@ struct PlannedSun {
   Direction<CameraAxes> direction;
   Angle angularRadius;
   Length distance;
-  bool inPicture = false;     // some of its disc falls into the picture
-  bool hiddenByBody = false;  // wholly behind a body
+  Length radius;                // by the scene's convention
+  Direction<CameraAxes> north;  // of its rotation
+  bool inPicture = false;       // some of its disc falls into the picture
+  bool hiddenByBody = false;    // wholly behind a body
   std::string hiddenBy;
   PixelBounds bounds;  // of its disc
 };
