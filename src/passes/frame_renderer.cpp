@@ -15,6 +15,7 @@
 #include "gl/framebuffer.h"
 #include "gl/texture.h"
 #include "gl/view_block.h"
+#include "passes/bodies.h"
 #include "passes/corona.h"
 #include "passes/stars.h"
 #include "passes/sun.h"
@@ -76,6 +77,8 @@ struct FrameRenderer::State {
   ImageSource images;
   Mode mode;
   std::map<ProjectionKind, ProjectionPasses> byProjection;
+  std::unique_ptr<BodiesPass> bodies;
+  std::string quality;
   std::optional<StarCatalogue> catalogue;
   gl::Buffer viewBlock;
   gl::Texture linear, display;
@@ -111,6 +114,23 @@ struct FrameRenderer::State {
     return points;
   }
 
+  // Makes resident what a picture needs, and what belongs to its instant alone.
+  void prepare(const Scene& scene, const RenderPlan& plan) {
+    if (!bodies || quality != scene.quality) {
+      bodies = std::make_unique<BodiesPass>(images, AirQuality::preset(scene.quality));
+      quality = scene.quality;
+    }
+    BodiesPass::Look const look{
+        scene.display.illustrative,
+        parseLimbDarkeningLaw(scene.shadows.limbDarkening, scene.file + ": [shadows]")};
+    for (auto const& body : plan.bodies) {
+      bodies->prepare(body, plan.picture, look);
+      if (observer) observer("sky table " + body.name, [&] { bodies->repeatSky(body); });
+    }
+    counters.tablesBuilt = bodies->tablesBuilt();
+    counters.shadowPairs = bodies->shadowPairs();
+  }
+
   // Draws all light of a tile of the picture into `linear`.
   void drawTile(const Scene& scene, const PlacedScene& placed, const RenderPlan& plan,
                 glm::ivec2 origin) {
@@ -121,7 +141,6 @@ struct FrameRenderer::State {
     glDisable(GL_SCISSOR_TEST);
     glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
-    counters.shadowPairs = static_cast<int>(plan.shadows.size());
 
     auto const stars = starPoints(scene, placed);
     run("stars", [&] { passes.stars.draw(stars); });
@@ -145,6 +164,9 @@ struct FrameRenderer::State {
       run("sun", [&] { passes.sun.draw(plan.picture, sun, plane, discs, origin); });
       run("corona", [&] { passes.corona.draw(plan.picture, sun, plane, wide, {}, origin); });
     }
+    glm::ivec2 const size{linear.width(), linear.height()};
+    for (auto const& body : plan.bodies)
+      run("body " + body.name, [&] { bodies->draw(body, plan.picture, origin, size); });
   }
 
   Exposure exposureOf(const Scene& scene, const MeterReading& reading) const {
@@ -178,10 +200,12 @@ FinishedPicture FrameRenderer::finish(const Scene& scene, const PlacedScene& pla
         std::max(1, static_cast<int>(std::lround(double(height) * copy.picture.width / width)));
     copy.rescaleBounds(plan.picture);
     s.resize(copy.picture.width, copy.picture.height);
+    s.prepare(scene, copy);
     s.drawTile(scene, placed, copy, {0, 0});
     exposure = s.exposureOf(scene, toneMap.measure(s.linear));
   }
 
+  s.prepare(scene, plan);
   FinishedPicture picture;
   picture.width = width;
   picture.height = height;
@@ -224,6 +248,7 @@ void FrameRenderer::show(const Scene& scene, const PlacedScene& placed, const Re
   State& s = *state_;
   ToneMap& toneMap = s.passesFor(plan.picture.kind).toneMap;
   s.resize(plan.picture.width, plan.picture.height);
+  s.prepare(scene, plan);
   s.drawTile(scene, placed, plan, {0, 0});
   if (!scene.display.automaticExposure) {
     s.liveExposure = Exposure{scene.display.whiteLuminance};
@@ -240,8 +265,14 @@ void FrameRenderer::show(const Scene& scene, const PlacedScene& placed, const Re
 const FrameCounters& FrameRenderer::counters() const { return state_->counters; }
 void FrameRenderer::observePasses(PassObserver observer) { state_->observer = std::move(observer); }
 std::vector<std::pair<std::string, std::size_t>> FrameRenderer::residentBytes() const {
-  return {{"picture, 32-bit float", state_->linear.bytes()}};
+  std::vector<std::pair<std::string, std::size_t>> bytes;
+  if (state_->bodies) bytes = state_->bodies->residentBytes();
+  bytes.emplace_back("picture, 32-bit float", state_->linear.bytes());
+  return bytes;
 }
-std::vector<std::pair<std::string, double>> FrameRenderer::precomputeSeconds() const { return {}; }
+std::vector<std::pair<std::string, double>> FrameRenderer::precomputeSeconds() const {
+  if (!state_->bodies) return {};
+  return state_->bodies->precomputeSeconds();
+}
 
 }  // namespace antumbra
