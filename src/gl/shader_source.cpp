@@ -13,6 +13,10 @@
 namespace antumbra::gl {
 namespace {
 
+// Lines are marked as file * kLinesPerFile + line: some compilers lose the second number of
+// `#line`.
+constexpr std::size_t kLinesPerFile = 100000;
+
 void appendFile(const std::string& path, const std::string& from, ShaderSource& source) {
   if (std::find(source.files.begin(), source.files.end(), path) != source.files.end()) return;
   std::ifstream stream(shadersFolder() / path);
@@ -21,7 +25,7 @@ void appendFile(const std::string& path, const std::string& from, ShaderSource& 
         fmt::format("{}: shader file shaders/{} is missing or unreadable", from, path));
   std::size_t const index = source.files.size();
   source.files.push_back(path);
-  source.text += fmt::format("#line 1 {}\n", index);
+  source.text += fmt::format("#line {}\n", index * kLinesPerFile + 1);
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) {
     auto const start = line.find_first_not_of(" \t");
@@ -33,7 +37,8 @@ void appendFile(const std::string& path, const std::string& from, ShaderSource& 
                                      path, number, line));
       appendFile(line.substr(open + 1, close - open - 1),
                  fmt::format("shaders/{}:{}", path, number), source);
-      source.text += fmt::format("#line {} {}\n", number + 1, index);
+      source.text +=
+          fmt::format("#line {}\n", index * kLinesPerFile + static_cast<std::size_t>(number) + 1);
     } else {
       source.text += line + '\n';
     }
@@ -58,9 +63,10 @@ std::string explainLog(const std::string& log, const ShaderSource& source) {
   while (std::getline(in, line)) {
     std::smatch match;
     if (std::regex_search(line, match, place)) {
-      auto const index = static_cast<std::size_t>(std::stoul(match[1]));
+      auto const mark = static_cast<std::size_t>(std::stoul(match[2]));
+      std::size_t const index = mark / kLinesPerFile;
       if (index < source.files.size())
-        line = fmt::format("shaders/{}:{}{}", source.files[index], match[2].str(),
+        line = fmt::format("shaders/{}:{}{}", source.files[index], mark % kLinesPerFile,
                            match.suffix().str());
     }
     out += line + '\n';

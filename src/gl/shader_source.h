@@ -14,14 +14,14 @@ using Definitions = std::vector<std::pair<std::string, std::string>>;
 
 struct ShaderSource {
   std::string text;                // ready for glShaderSource
-  std::vector<std::string> files;  // file of each `#line N index`
+  std::vector<std::string> files;  // in order of inclusion
 };
 
 // `path` is relative to shaders/, as "passes/body.frag". Throws InputError naming the including
 // file and line if a file is missing.
 ShaderSource loadShader(const std::string& path, const Definitions& definitions = {});
 
-// A compiler's log with "index:line" or "index(line)" turned into "file:line".
+// A compiler's log with its line marks turned into "file:line".
 std::string explainLog(const std::string& log, const ShaderSource& source);
 
 }  // namespace antumbra::gl
