@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -16,9 +15,12 @@ namespace {
 // Lines are marked as file * kLinesPerFile + line: some compilers lose the second number of
 // `#line`.
 constexpr std::size_t kLinesPerFile = 100000;
+constexpr int kDeepestInclude = 32;
 
-void appendFile(const std::string& path, const std::string& from, ShaderSource& source) {
-  if (std::find(source.files.begin(), source.files.end(), path) != source.files.end()) return;
+void appendFile(const std::string& path, const std::string& from, int depth, ShaderSource& source) {
+  if (depth > kDeepestInclude)
+    throw InputError(
+        fmt::format("{}: shader files include each other in a circle: {}", from, path));
   std::ifstream stream(shadersFolder() / path);
   if (!stream)
     throw InputError(
@@ -36,7 +38,7 @@ void appendFile(const std::string& path, const std::string& from, ShaderSource& 
         throw InputError(fmt::format("shaders/{}:{}: found \"{}\"; allowed: #include \"path\"",
                                      path, number, line));
       appendFile(line.substr(open + 1, close - open - 1),
-                 fmt::format("shaders/{}:{}", path, number), source);
+                 fmt::format("shaders/{}:{}", path, number), depth + 1, source);
       source.text +=
           fmt::format("#line {}\n", index * kLinesPerFile + static_cast<std::size_t>(number) + 1);
     } else {
@@ -52,7 +54,7 @@ ShaderSource loadShader(const std::string& path, const Definitions& definitions)
   source.text = "#version 450 core\n";
   for (auto const& [name, value] : definitions)
     source.text += fmt::format("#define {} {}\n", name, value);
-  appendFile(path, "program", source);
+  appendFile(path, "program", 0, source);
   return source;
 }
 

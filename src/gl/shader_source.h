@@ -1,6 +1,7 @@
-// GLSL from files under shaders/, with `#include "path"` resolved there (each file once) and error
-// messages that name the file. Entry points name their parts; no text is generated but the version,
-// the definitions and the line marks.
+// GLSL from files under shaders/, with `#include "path"` resolved there and error messages that
+// name the file. An include may stand under a condition; files guard themselves against a second
+// one. Entry points name their parts; no text is generated but the version, the definitions and the
+// line marks.
 #pragma once
 
 #include <string>

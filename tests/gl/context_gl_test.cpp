@@ -41,9 +41,8 @@ TEST_F(GlTest, CompilerErrorsNameFileAndLine) {
   auto const source = gl::loadShader("interface/view.glsl");
   ASSERT_GE(source.files.size(), 2u);
   EXPECT_EQ(gl::explainLog("0:100007(3): error: x", source),
-            "shaders/" + source.files[1] + ":7: error: x\n");
-  EXPECT_EQ(gl::explainLog("0(9) : error: y", source),
-            "shaders/interface/view.glsl:9 : error: y\n");
+            "shaders/" + source.files[1] + ":7(3): error: x\n");
+  EXPECT_EQ(gl::explainLog("0:9: error: y", source), "shaders/interface/view.glsl:9: error: y\n");
 }
 
 TEST_F(GlTest, QueryCountsTheSamplesOfATriangle) {
