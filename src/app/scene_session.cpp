@@ -1,8 +1,13 @@
 #include "app/scene_session.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <set>
 
 #include "document/document.h"
+#include "document/paths.h"
 
 namespace antumbra {
 
@@ -18,6 +23,16 @@ void applySize(const std::string& text, const std::string& where, Projection& pi
         fmt::format("{}: found {}x{}; allowed: 1x1 to 65536x65536", where, width, height));
   picture.width = static_cast<int>(width);
   picture.height = static_cast<int>(height);
+}
+
+// Presets are the files of configs/quality.
+void requireQuality(const std::string& name, const std::string& where) {
+  std::set<std::string> presets;
+  for (auto const& entry : std::filesystem::directory_iterator(configsFolder() / "quality"))
+    if (entry.path().extension() == ".toml") presets.insert(entry.path().stem().string());
+  if (!presets.contains(name))
+    throw InputError(
+        fmt::format("{}: found \"{}\"; allowed: {}", where, name, fmt::join(presets, ", ")));
 }
 
 SceneSession::SceneSession(const std::string& file, const SceneOverrides& o)
@@ -48,6 +63,7 @@ SceneSession::SceneSession(const std::string& file, const SceneOverrides& o)
                                                       : 360.0 * degree;
   }
   if (!o.quality.empty()) scene_.quality = o.quality;
+  requireQuality(scene_.quality, o.quality.empty() ? scene_.file + ": quality" : "--quality");
   if (!o.look.empty()) {
     if (o.look != "natural" && o.look != "illustrative")
       throw InputError(fmt::format("--look: found \"{}\"; allowed: natural, illustrative", o.look));
