@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
   program.require_subcommand(1);
   antumbra::addRenderCommand(program);
   antumbra::addViewCommand(program);
+  antumbra::addEclipseCommand(program);
   try {
     program.parse(argc, argv);
     return 0;

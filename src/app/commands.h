@@ -9,5 +9,6 @@ namespace antumbra {
 
 void addRenderCommand(CLI::App& program);
 void addViewCommand(CLI::App& program);
+void addEclipseCommand(CLI::App& program);
 
 }  // namespace antumbra

@@ -150,4 +150,9 @@ std::string dateOf(Instant t) {
                      date.month, date.day);
 }
 
+std::string ut1Text(Instant t, Duration deltaT) {
+  std::string text = formatIso(t, TimeScale::Ut1, DeltaT::fixed(deltaT), 3);
+  return text.substr(0, text.find(' '));
+}
+
 }  // namespace antumbra

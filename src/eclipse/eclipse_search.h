@@ -52,5 +52,7 @@ Instant startOfYear(long year);
 Instant startOfDate(const std::string& text, const std::string& where);
 // "2027-08-02", of TT.
 std::string dateOf(Instant t);
+// "2027-08-02T10:02:06.606" of UT1 at that delta T.
+std::string ut1Text(Instant t, Duration deltaT);
 
 }  // namespace antumbra

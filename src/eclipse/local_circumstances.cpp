@@ -61,9 +61,9 @@ LocalCircumstances localCircumstances(const SolarEvent& event, const ShadowRadii
   glm::dvec3 const point = itrsMetres(site);
   LocalCircumstances local;
   double const limit = track.halfSpan() / second;
-  double const middle = std::clamp(
-      localMaximumSeconds(track, radii, point, track.secondsAt(event.eclipse.greatest)), -limit,
-      limit);
+  double const middle =
+      std::clamp(localMaximumSeconds(track, radii, point, track.secondsAt(event.eclipse.greatest)),
+                 -limit, limit);
   auto const penumbra = [&](double t) {
     Distances const d = distancesAt(track, radii, point, t);
     return d.axis * d.axis - d.penumbra * d.penumbra;
@@ -97,11 +97,10 @@ LocalCircumstances localCircumstances(const SolarEvent& event, const ShadowRadii
   double const deepest = minimumNear(umbra, middle, 30.0, 10.0);
   if (umbra(deepest) < 0.0) {
     bool const total = distancesAt(track, radii, point, deepest).umbra > 0.0;
-    double const half =
-        std::sqrt(-umbra(deepest) /
-                  std::max((umbra(deepest + 30.0) - 2.0 * umbra(deepest) + umbra(deepest - 30.0)) /
-                               1800.0,
-                           1e3));
+    double const half = std::sqrt(
+        -umbra(deepest) /
+        std::max((umbra(deepest + 30.0) - 2.0 * umbra(deepest) + umbra(deepest - 30.0)) / 1800.0,
+                 1e3));
     double const second_ = rootNear(umbra, deepest - half, deepest - 0.98 * half);
     double const third = rootNear(umbra, deepest + half, deepest + 0.98 * half);
     local.type = std::string(total ? "T" : "A");

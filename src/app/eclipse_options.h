@@ -1,0 +1,36 @@
+// Options that all eclipse commands share: the convention and each of its constants, and delta T.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "eclipse/eclipse_search.h"
+
+namespace antumbra {
+
+struct EclipseOptions {
+  std::string convention = "nasa";
+  std::string sunRadius, deltaT, enlargement;
+  std::string kUmbra, kPenumbra;
+
+  void addTo(CLI::App& command);
+  // Throws InputError naming the option.
+  EclipseBasis basis() const;
+};
+
+// "convention nasa: Sun 695989.8 km, Moon k 0.272281 (umbra) 0.272488 (penumbra), ..."
+std::string describe(const EclipseBasis& basis);
+
+// Writes to `file` by way of a temporary file, or to standard output if it is empty.
+void writeText(const std::string& file, const std::string& text);
+
+// "5min", "30 s", "1 h", "0.5 min": a positive duration.
+Duration parseStep(const std::string& text, const std::string& where);
+
+void addEclipseList(CLI::App& eclipse);
+void addEclipseAt(CLI::App& eclipse);
+void addEclipsePath(CLI::App& eclipse);
+void addEclipseMap(CLI::App& eclipse);
+void addEclipseElements(CLI::App& eclipse);
+
+}  // namespace antumbra
