@@ -39,11 +39,14 @@ LocalContact contactAt(const SunMoonTrack& track, const ShadowRadii& radii, cons
 
 double localMaximumSeconds(const SunMoonTrack& track, const ShadowRadii& radii,
                            const glm::dvec3& point, double start) {
-  // The covered part of the diameter is (penumbra - distance) / (penumbra + umbra).
+  // The uncovered part of the diameter, but for a constant.
   auto const uncovered = [&](double t) {
-    Distances const d = distancesAt(track, radii, point, t);
-    double const part = (d.penumbra - d.axis) / (d.penumbra + d.umbra);
-    return -part;
+    auto const places = track.placesAt(t);
+    glm::dvec3 const sun = places.sun - point, moon = places.moon - point;
+    double const separation = std::atan2(glm::length(glm::cross(sun, moon)), glm::dot(sun, moon));
+    double const solar = std::asin(radii.sun.si / glm::length(sun));
+    double const lunar = std::asin(radii.casterPenumbra.si / glm::length(moon));
+    return (separation - lunar) / solar;
   };
   // Near the axis that has a corner: find the least distance first, by its smooth square.
   auto const squared = [&](double t) {
@@ -51,7 +54,7 @@ double localMaximumSeconds(const SunMoonTrack& track, const ShadowRadii& radii,
     return d * d;
   };
   double const closest = minimumNear(squared, start, 900.0, 30.0);
-  if (std::sqrt(squared(closest)) < 1e5) return closest;
+  if (std::sqrt(squared(closest)) < 3e4) return closest;
   return minimumNear(uncovered, closest, 60.0, 10.0);
 }
 
