@@ -5,6 +5,6 @@
 
 namespace antumbra {
 
-void addFrameBench(CLI::App& program);
+void addPictureBench(CLI::App& program);
 
 }  // namespace antumbra

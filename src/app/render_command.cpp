@@ -11,7 +11,7 @@
 #include "document/paths.h"
 #include "gl/context.h"
 #include "output/image_file.h"
-#include "passes/frame_renderer.h"
+#include "picture/picture_renderer.h"
 
 namespace antumbra {
 namespace {
@@ -84,7 +84,7 @@ void render(const Options& options) {
 
   gl::HeadlessContext const context;
   gl::prepareContext();
-  FrameRenderer renderer([](const std::string& file, const std::string& where) {
+  PictureRenderer renderer([](const std::string& file, const std::string& where) {
     return readImage(catalogsFolder() / file, where);
   });
   std::signal(SIGINT, onInterrupt);

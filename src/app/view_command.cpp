@@ -12,7 +12,7 @@
 #include "gl/context.h"
 #include "output/image_file.h"
 #include "output/window.h"
-#include "passes/frame_renderer.h"
+#include "picture/picture_renderer.h"
 
 namespace antumbra {
 namespace {
@@ -36,11 +36,11 @@ void view(const Options& options) {
   ViewControls controls(session.scene());
   Window window("antumbra", session.scene().picture.width, session.scene().picture.height);
   gl::prepareContext();
-  FrameRenderer renderer(
+  PictureRenderer renderer(
       [](const std::string& file, const std::string& where) {
         return readImage(catalogsFolder() / file, where);
       },
-      FrameRenderer::Mode::Live);
+      PictureRenderer::Mode::Live);
   controls.resize(window.width(), window.height());
   auto moment = session.at(controls.scene(), controls.timeOffset());
 

@@ -25,19 +25,19 @@ struct FinishedPicture {
 };
 
 // What was really done, to hold against the plan.
-struct FrameCounters {
+struct PictureCounters {
   int tablesBuilt = 0;
   int occlusionQueries = 0;
   int shadowPairs = 0;  // caster-receiver pairs handed to a shader in the last picture
 };
 
-class FrameRenderer {
+class PictureRenderer {
  public:
   // Off line every picture is a function of its scene and instant alone; live, glare and exposure
   // come from earlier frames, and nothing waits for the device.
   enum class Mode { OffLine, Live };
-  FrameRenderer(ImageSource images, Mode mode = Mode::OffLine);
-  ~FrameRenderer();
+  PictureRenderer(ImageSource images, Mode mode = Mode::OffLine);
+  ~PictureRenderer();
 
   // Whole picture to memory, in tiles where the device is smaller. Throws InputError beyond 2^28
   // pixels, and for files that cannot be read.
@@ -46,7 +46,7 @@ class FrameRenderer {
   void show(const Scene& scene, const PlacedScene& placed, const RenderPlan& plan,
             unsigned framebuffer, Duration sinceLast);
 
-  const FrameCounters& counters() const;
+  const PictureCounters& counters() const;
   // Called with each pass's name and a function that draws it once more; for measuring.
   using PassObserver = std::function<void(const std::string&, const std::function<void()>&)>;
   void observePasses(PassObserver observer);

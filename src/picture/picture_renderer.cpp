@@ -1,4 +1,4 @@
-#include "passes/frame_renderer.h"
+#include "picture/picture_renderer.h"
 
 #include <fmt/format.h>
 
@@ -71,7 +71,7 @@ struct ProjectionPasses {
   ToneMap toneMap;
 };
 
-struct FrameRenderer::State {
+struct PictureRenderer::State {
   State(ImageSource source, Mode chosen) : images(std::move(source)), mode(chosen) {}
 
   ImageSource images;
@@ -83,7 +83,7 @@ struct FrameRenderer::State {
   gl::Buffer viewBlock;
   gl::Texture linear, display;
   gl::Framebuffer linearTarget, displayTarget;
-  FrameCounters counters;
+  PictureCounters counters;
   PassObserver observer;
   std::optional<Exposure> liveExposure;
 
@@ -175,12 +175,12 @@ struct FrameRenderer::State {
   }
 };
 
-FrameRenderer::FrameRenderer(ImageSource images, Mode mode)
+PictureRenderer::PictureRenderer(ImageSource images, Mode mode)
     : state_(std::make_unique<State>(std::move(images), mode)) {}
-FrameRenderer::~FrameRenderer() = default;
+PictureRenderer::~PictureRenderer() = default;
 
-FinishedPicture FrameRenderer::finish(const Scene& scene, const PlacedScene& placed,
-                                      const RenderPlan& plan) {
+FinishedPicture PictureRenderer::finish(const Scene& scene, const PlacedScene& placed,
+                                        const RenderPlan& plan) {
   State& s = *state_;
   int const width = plan.picture.width, height = plan.picture.height;
   if (double(width) * height > kMostPixels)
@@ -243,8 +243,8 @@ FinishedPicture FrameRenderer::finish(const Scene& scene, const PlacedScene& pla
   return picture;
 }
 
-void FrameRenderer::show(const Scene& scene, const PlacedScene& placed, const RenderPlan& plan,
-                         unsigned framebuffer, Duration sinceLast) {
+void PictureRenderer::show(const Scene& scene, const PlacedScene& placed, const RenderPlan& plan,
+                           unsigned framebuffer, Duration sinceLast) {
   State& s = *state_;
   ToneMap& toneMap = s.passesFor(plan.picture.kind).toneMap;
   s.resize(plan.picture.width, plan.picture.height);
@@ -262,15 +262,17 @@ void FrameRenderer::show(const Scene& scene, const PlacedScene& placed, const Re
   toneMap.apply(s.linear, *s.liveExposure, nullptr);
 }
 
-const FrameCounters& FrameRenderer::counters() const { return state_->counters; }
-void FrameRenderer::observePasses(PassObserver observer) { state_->observer = std::move(observer); }
-std::vector<std::pair<std::string, std::size_t>> FrameRenderer::residentBytes() const {
+const PictureCounters& PictureRenderer::counters() const { return state_->counters; }
+void PictureRenderer::observePasses(PassObserver observer) {
+  state_->observer = std::move(observer);
+}
+std::vector<std::pair<std::string, std::size_t>> PictureRenderer::residentBytes() const {
   std::vector<std::pair<std::string, std::size_t>> bytes;
   if (state_->bodies) bytes = state_->bodies->residentBytes();
   bytes.emplace_back("picture, 32-bit float", state_->linear.bytes());
   return bytes;
 }
-std::vector<std::pair<std::string, double>> FrameRenderer::precomputeSeconds() const {
+std::vector<std::pair<std::string, double>> PictureRenderer::precomputeSeconds() const {
   if (!state_->bodies) return {};
   return state_->bodies->precomputeSeconds();
 }

@@ -1,4 +1,4 @@
-// `antumbra-bench frame SCENE`: each pass of a picture in fill units and milliseconds, the memory
+// `antumbra-bench picture SCENE`: each pass of a picture in fill units and milliseconds, the memory
 // of each table and map, and the time to precompute.
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "app/scene_session.h"
 #include "document/paths.h"
 #include "gl/context.h"
-#include "passes/frame_renderer.h"
+#include "picture/picture_renderer.h"
 
 namespace antumbra {
 namespace {
@@ -62,7 +62,7 @@ nlohmann::json benchScene(const std::string& file, const Options& options) {
 
   bool synthetic = false;
   auto const start = std::chrono::steady_clock::now();
-  FrameRenderer renderer(
+  PictureRenderer renderer(
       [&](const std::string& name, const std::string&) { return rawImage(name, synthetic); });
   renderer.finish(moment.scene, moment.placed, moment.plan);
   double const firstPicture =
@@ -101,7 +101,7 @@ nlohmann::json benchScene(const std::string& file, const Options& options) {
   return result;
 }
 
-void benchFrames(const Options& options) {
+void benchPictures(const Options& options) {
   gl::HeadlessContext const context;
   gl::prepareContext();
   auto const device = gl::describeDevice();
@@ -120,9 +120,9 @@ void benchFrames(const Options& options) {
 
 }  // namespace
 
-void addFrameBench(CLI::App& program) {
+void addPictureBench(CLI::App& program) {
   auto const options = std::make_shared<Options>();
-  auto* command = program.add_subcommand("frame", "Time the passes of scenes");
+  auto* command = program.add_subcommand("picture", "Time the passes of scenes");
   command->add_option("scenes", options->scenes, "Scene files")->required();
   command->add_option("--size", options->overrides.size, "WIDTHxHEIGHT instead of the scene's");
   command->add_option("--time", options->overrides.time, "Instant instead of the scene's");
@@ -130,8 +130,8 @@ void addFrameBench(CLI::App& program) {
   command->add_option("--repeat", options->repeats, "Runs of each pass, at least 7");
   command->add_option("--json", options->json, "Write the figures to this file as well");
   command->footer(
-      "Example:\n  antumbra-bench frame configs/scenes/from_space.toml --size 1280x720");
-  command->callback([options] { benchFrames(*options); });
+      "Example:\n  antumbra-bench picture configs/scenes/from_space.toml --size 1280x720");
+  command->callback([options] { benchPictures(*options); });
 }
 
 }  // namespace antumbra
