@@ -1,5 +1,6 @@
 // The directions over which radiance is averaged: Gauss-Legendre nodes below and above the horizon,
-// dense toward it, and equal steps of azimuth over half a turn (the other half is its mirror image).
+// dense toward it, and equal steps of azimuth over half a turn (the other half is its mirror image)
+// or, with WHOLE_TURN, the whole.
 struct AirDirection {
   float cosine;
   float sine;
@@ -8,7 +9,7 @@ struct AirDirection {
   bool down;
 };
 
-uniform ivec2 directionCount;  // zenith angles, half of them below the horizon; azimuths in half a turn
+uniform ivec2 directionCount;  // zenith angles, half of them below the horizon; azimuths in half a turn (or, with WHOLE_TURN, in all of it)
 layout(std140, binding = 4) uniform DirectionNodes {
   vec4 zenithNodes[64];  // position and weight on [0, 1]
 };
@@ -23,7 +24,12 @@ AirDirection airDirection(int index, float horizon) {
   float span = d.down ? -1.0 - horizon : 1.0 - horizon;
   d.cosine = clamp(horizon + span * node.x * node.x, -1.0, 1.0);
   d.sine = sqrt(max(1.0 - d.cosine * d.cosine, 0.0));
-  d.azimuth = (float(azimuthIndex) + 0.5) * kPi / float(directionCount.y);
+#ifdef WHOLE_TURN
+  const float turn = 2.0 * kPi;
+#else
+  const float turn = kPi;
+#endif
+  d.azimuth = (float(azimuthIndex) + 0.5) * turn / float(directionCount.y);
   d.weight = abs(span) * 2.0 * node.x * node.y * 2.0 * kPi / float(directionCount.y);
   return d;
 }

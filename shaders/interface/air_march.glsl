@@ -10,6 +10,13 @@
 #include "interface/air.glsl"
 #include "interface/shadows.glsl"
 
+#if defined(SHADOW_PAIRS) && !defined(UNECLIPSED)
+#define AIR_ECLIPSED
+#ifdef ECLIPSED_SOURCE
+#define AIR_ECLIPSED_SOURCE
+#endif
+#endif
+
 struct AirRay {
   float height;      // of its start, inside the air
   float rise;        // r mu at the start, m
@@ -124,6 +131,32 @@ vec4 sourceAt(AirDensities d, vec3 place[6], SunFrame f, int layer) {
 }
 #endif
 
+#if defined(ECLIPSED_HARMONICS) && defined(AIR_ECLIPSED_SOURCE)
+// The same inside a shadow. `sideways`: component of the ray along up x Sun, mirrored with the place.
+vec4 eclipsedSourceAt(AirDensities d, EclipsedPlace at, SunFrame f, float sideways, vec2 place,
+                      int layer) {
+  vec4 w0 = vec4(0.0), w1 = vec4(0.0), w2 = vec4(0.0);
+  for (int c = 0; c < AIR_CONSTITUENTS; ++c) {
+    int i = layer * AIR_CONSTITUENTS + c;
+    vec4 s = airScattering[i] * d.of[c];
+    w0 += s;
+    w1 += s * airPhaseMoment1[i];
+    w2 += s * airPhaseMoment2[i];
+  }
+  vec4 mean = textureLod(airSource, vec3(place, float(layer * 7)), 0.0) *
+              eclipsedQuantity(at, 0, layer);
+  vec4 sum = w0;
+  sum += w1 * (f.z * eclipsedQuantity(at, 2, layer) + f.x * eclipsedQuantity(at, 3, layer) +
+               sideways * eclipsedQuantity(at, 4, layer));
+  sum += w2 * ((1.5 * f.z * f.z - 0.5) * eclipsedQuantity(at, 5, layer) +
+               f.x * f.z * eclipsedQuantity(at, 6, layer) +
+               (f.x * f.x - sideways * sideways) * eclipsedQuantity(at, 7, layer) +
+               sideways * f.z * eclipsedQuantity(at, 8, layer) +
+               f.x * sideways * eclipsedQuantity(at, 9, layer));
+  return max(sum * mean, vec4(0.0));
+}
+#endif
+
 // Adds the light of the part u0..u1 of a leg. `before`: optical depth from the camera to a point is
 // before - sense times the point's depth to the top along the leg.
 void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, vec4 before[AIR_LAYERS],
@@ -140,7 +173,7 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, vec4 before[AIR_LAYERS
     float above = sunAboveHorizon(p.height, p.sunCosine);
     vec2 toSun = sunPlace(p.height, p.sunCosine);
 #endif
-#if defined(SHADOW_PAIRS)
+#ifdef AIR_ECLIPSED
     vec3 where = ray.start + ray.direction * (leg.lowDistance + leg.sense * p.fromLow);
 #endif
 #ifdef AIR_SOURCE
@@ -148,6 +181,14 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, vec4 before[AIR_LAYERS
     place[0].xy = onTexels(sourceCoordinates(shell, airShape.z, p.height, p.sunCosine),
                            textureSize(airSource, 0).xy);
     SunFrame f = sunFrame(leg.sense * p.cosine, p.sunCosine, ray.sunAlong);
+#ifdef AIR_ECLIPSED_SOURCE
+    EclipsedPlace eclipsed = eclipsedPlace(where, p.height);
+#if defined(ECLIPSED_HARMONICS) && defined(AIR_ECLIPSED_SOURCE)
+    vec3 up = normalize(where);
+    vec3 left = cross(up, eclipsedSun.xyz);
+    float sideways = eclipsed.side * dot(ray.direction, left) / max(length(left), 1e-6);
+#endif
+#endif
 #endif
     for (int layer = 0; layer < AIR_LAYERS; ++layer) {
       vec4 depth = max(before[layer] - leg.sense * depthAt(viewPlace, layer), vec4(0.0));
@@ -155,7 +196,7 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, vec4 before[AIR_LAYERS
       vec4 joint = vec4(0.0);
 #ifdef AIR_SINGLE
       vec4 sun = weight * above * exp(-depthAt(toSun, layer));
-#if defined(SHADOW_PAIRS)
+#ifdef AIR_ECLIPSED
       sun *= visibleSunlight(where, layer);
 #endif
       for (int c = 0; c < AIR_CONSTITUENTS; ++c) {
@@ -172,8 +213,13 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, vec4 before[AIR_LAYERS
 #endif
 #ifdef AIR_SOURCE
       vec4 source = sourceAt(d, place, f, layer);
-#if defined(SHADOW_PAIRS)
-      source *= diffuseSunlight(where, layer);
+#ifdef AIR_ECLIPSED_SOURCE
+#if defined(ECLIPSED_HARMONICS) && defined(AIR_ECLIPSED_SOURCE)
+      source = mix(source, eclipsedSourceAt(d, eclipsed, f, sideways, place[0].xy, layer),
+                   eclipsed.inside);
+#else
+      source *= eclipsedShare(eclipsed, 0, layer);
+#endif
 #endif
       joint += weight * source;
 #endif
@@ -182,8 +228,19 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, vec4 before[AIR_LAYERS
   }
 }
 
-// The whole way; `cuts` are up to two distances at which to begin a new set of samples.
-AirLight lightAlong(AirRay ray, AirWay way, vec2 cuts) {
+// Distances along a ray at which to begin a new set of samples; negative: none.
+struct AirCuts {
+  float at[4];
+};
+
+AirCuts noCuts() {
+  AirCuts cuts;
+  for (int i = 0; i < 4; ++i) cuts.at[i] = -1.0;
+  return cuts;
+}
+
+// The light of the whole way.
+AirLight lightAlong(AirRay ray, AirWay way, AirCuts cuts) {
   AirShell shell = airShell();
   AirLight light = darkAir();
   vec4 phases[AIR_LAYERS * AIR_CONSTITUENTS];
@@ -207,19 +264,27 @@ AirLight lightAlong(AirRay ray, AirWay way, vec2 cuts) {
     }
     float span = max(leg.highHeight - leg.lowHeight, 1e-6);
 #ifdef AIR_CUTS
-    // Distances of the cuts as positions u on this leg.
-    vec2 at;
-    for (int i = 0; i < 2; ++i) {
-      float fromLow = (cuts[i] - leg.lowDistance) * leg.sense;
-      at[i] = fromLow > 0.0
+    // Distances of the cuts as positions u on this leg, ascending.
+    float at[4];
+    for (int i = 0; i < 4; ++i) {
+      float fromLow = (cuts.at[i] - leg.lowDistance) * leg.sense;
+      at[i] = cuts.at[i] > 0.0 && fromLow > 0.0
                   ? clamp(pow((heightOnLeg(shell, leg, fromLow) - leg.lowHeight) / span, 1.0 / 3.0),
                           0.0, 1.0)
                   : 0.0;
     }
-    float a = min(at.x, at.y), b = max(at.x, at.y);
-    if (a > 0.0) marchLeg(ray, leg, 0.0, a, before, phases, light);
-    if (b > a) marchLeg(ray, leg, a, b, before, phases, light);
-    if (b < 1.0) marchLeg(ray, leg, b, 1.0, before, phases, light);
+    for (int i = 1; i < 4; ++i)
+      for (int k = i; k > 0; --k) {
+        float low = min(at[k - 1], at[k]);
+        at[k] = max(at[k - 1], at[k]);
+        at[k - 1] = low;
+      }
+    float from = 0.0;
+    for (int i = 0; i <= 4; ++i) {
+      float to = i < 4 ? at[i] : 1.0;
+      if (to > from) marchLeg(ray, leg, from, to, before, phases, light);
+      from = to;
+    }
 #else
     marchLeg(ray, leg, 0.0, 1.0, before, phases, light);
 #endif
@@ -227,18 +292,29 @@ AirLight lightAlong(AirRay ray, AirWay way, vec2 cuts) {
   return light;
 }
 
-// Distances at which the ray enters and leaves the body's own shadow; -1 where it does not.
-vec2 shadowCuts(AirRay ray) {
+// Where the ray crosses the edge of the body's own shadow and of the first caster's umbra.
+AirCuts shadowCuts(AirRay ray) {
   AirShell shell = airShell();
+  AirCuts cuts = noCuts();
   float a = 1.0 - ray.sunAlong * ray.sunAlong;
   float b = ray.rise - ray.sunRise * ray.sunAlong;
   float c = squareAboveGround(shell, ray.height) - ray.sunRise * ray.sunRise;
   float root = b * b - a * c;
-  if (root <= 0.0 || a < 1e-9) return vec2(-1.0);
-  root = sqrt(root);
-  float first = b > 0.0 ? (-b - root) / a : c / (-b + root);
-  float second = b > 0.0 ? c / (-b - root) : (-b + root) / a;
-  return vec2(ray.sunRise + first * ray.sunAlong < 0.0 ? first : -1.0,
-              ray.sunRise + second * ray.sunAlong < 0.0 ? second : -1.0);
+  if (root > 0.0 && a > 1e-9) {
+    root = sqrt(root);
+    float first = b > 0.0 ? (-b - root) / a : c / (-b + root);
+    float second = b > 0.0 ? c / (-b - root) : (-b + root) / a;
+    if (ray.sunRise + first * ray.sunAlong < 0.0) cuts.at[0] = first;
+    if (ray.sunRise + second * ray.sunAlong < 0.0) cuts.at[1] = second;
+  }
+#ifdef SHADOW_PAIRS
+  vec3 toTrue = vec3(1.0, 1.0, shadowScale.x);
+  ConeCrossing crossing = crossUmbra(shadowPairs[0], ray.start * toTrue, ray.direction * toTrue);
+  if (crossing.count == 2) {
+    cuts.at[2] = crossing.first;
+    cuts.at[3] = crossing.second;
+  }
+#endif
+  return cuts;
 }
 #endif

@@ -143,6 +143,9 @@ SurfaceLight surfaceLight(vec3 normal, vec3 direction, float footprint) {
   vec2 sourcePlace_ = onTexels(sourceCoordinates(airShell(), airShape.z, 0.0, sunCosine),
                                textureSize(airSource, 0).xy);
 #endif
+#ifdef ECLIPSED_SOURCE
+  EclipsedPlace eclipsed = eclipsedPlace(position, 0.0);
+#endif
   float glint = 0.0;
 #ifdef WATER_MASK
   float water = textureLod(waterMask, place, lod).r;
@@ -160,8 +163,8 @@ SurfaceLight surfaceLight(vec3 normal, vec3 direction, float footprint) {
 #endif
 #ifdef AIR
     vec4 diffuse = textureLod(airSource, vec3(sourcePlace_, float(layer * 7 + 6)), 0.0);
-#ifdef SHADOW_PAIRS
-    diffuse *= diffuseSunlight(position, layer);
+#ifdef ECLIPSED_SOURCE
+    diffuse *= eclipsedShare(eclipsed, 1, layer);
 #endif
     light += diffuse;
 #endif
@@ -289,7 +292,7 @@ BodyLight bodyLight(vec3 cameraRay) {
   for (int layer = 0; layer < AIR_LAYERS; ++layer)
     light[layer] += skyLight(place, layer, air.sunAlong);
 #else
-  AirLight scattered = lightAlong(air, way, vec2(-1.0));
+  AirLight scattered = lightAlong(air, way, noCuts());
   for (int layer = 0; layer < AIR_LAYERS; ++layer) light[layer] += scattered.joint[layer];
 #endif
 #endif

@@ -45,7 +45,7 @@ void main() {
 #ifdef SHADOW_PAIRS
       vec3 where = ray.start + ray.direction * way.length;
       direct *= visibleSunlight(where, layer);
-      diffuse *= diffuseSunlight(where, layer);
+      diffuse *= eclipsedShare(eclipsedPlace(where, 0.0), 1, layer);
 #endif
       sum += (direct + diffuse) * airGroundAlbedo[layer] / kPi * exp(-depthOfWay(ray, way, layer));
     }

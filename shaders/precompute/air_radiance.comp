@@ -28,7 +28,7 @@ void main() {
   ray.start = vec3(0.0, 0.0, r);
   ray.direction = vec3(look.sine, 0.0, look.cosine);
   AirWay way = wayOf(ray);
-  AirLight light = lightAlong(ray, way, vec2(-1.0));
+  AirLight light = lightAlong(ray, way, noCuts());
   float sunCosine = clamp(way.legs[0].lowSunRise / shell.radius, -1.0, 1.0);
   vec2 ground = onTexels(sourceCoordinates(shell, airShape.z, 0.0, sunCosine), textureSize(airSource, 0).xy);
   for (int layer = 0; layer < AIR_LAYERS; ++layer) {

@@ -34,6 +34,14 @@ AirQuality AirQuality::read(const Table& table) {
   q.skyWidth = within(table, "sky_width", q.skyWidth, 8, 1024);
   q.skyHeight = within(table, "sky_height", q.skyHeight, 16, 2048);
   if (q.skyHeight % 2) table.fail("sky_height", "allowed: an even number");
+  q.eclipseDistances = within(table, "eclipse_distances", q.eclipseDistances, 8, 256);
+  q.eclipseAzimuths = within(table, "eclipse_azimuths", q.eclipseAzimuths, 3, 64);
+  q.eclipseHeights = within(table, "eclipse_heights", q.eclipseHeights, 3, 32);
+  q.eclipseZeniths = within(table, "eclipse_zeniths", q.eclipseZeniths, 4, 64);
+  if (q.eclipseZeniths % 2) table.fail("eclipse_zeniths", "allowed: an even number");
+  q.eclipseTurns = within(table, "eclipse_turns", q.eclipseTurns, 4, 64);
+  q.eclipseSamples = within(table, "eclipse_samples", q.eclipseSamples, 2, 64);
+  q.eclipseOrders = within(table, "eclipse_orders", q.eclipseOrders, 1, 50);
   return q;
 }
 

@@ -21,6 +21,13 @@ struct AirQuality {
   int viewSamples = 8;        // samples a leg, per pixel
   int skyWidth = 48;          // texels of the sky table over half a turn of azimuth
   int skyHeight = 128;        // and over zenith angle
+  int eclipseDistances = 32;  // cells of the grid about a shadow's axis: distances from it,
+  int eclipseAzimuths = 9;    // azimuths in half a turn,
+  int eclipseHeights = 8;     // heights
+  int eclipseZeniths = 12;    // directions over which radiance is averaged there
+  int eclipseTurns = 16;      // in a whole turn
+  int eclipseSamples = 10;    // samples a part of a leg
+  int eclipseOrders = 6;      // of scattering
   // Throws InputError with file and line for unknown keys and values out of range.
   static AirQuality read(const Table& table);
   // configs/quality/<name>.toml

@@ -13,6 +13,7 @@
 #include "passes/air_sky.h"
 #include "passes/air_tables.h"
 #include "passes/body_shadows.h"
+#include "passes/eclipsed_source.h"
 #include "photometry/spectral_weights.h"
 #include "quantity/constants.h"
 
@@ -51,6 +52,7 @@ struct SurfaceMaps {
 struct Resident {
   std::string air;  // key of its tables, or empty
   std::unique_ptr<BodyShadows> shadows;
+  std::unique_ptr<EclipsedSource> eclipsed;
   int pairCount = 0;
   LimbDarkeningLaw law = LimbDarkeningLaw::Hestroffer;
   std::unique_ptr<AirSky> sky;
@@ -149,9 +151,16 @@ void BodiesPass::prepare(const PlannedBody& body, const Projection& picture, con
     }
     resident.law = look.law;
     shadowFlags = wanted;
-    resident.shadows->bind();
+    if (air) {
+      if (!resident.eclipsed)
+        resident.eclipsed = std::make_unique<EclipsedSource>(*air, *resident.shadows);
+      resident.eclipsed->update(*air, *resident.shadows, pairs.front(), resident.sun);
+      auto const more = EclipsedSource::definitions();
+      shadowFlags.insert(shadowFlags.end(), more.begin(), more.end());
+    }
   } else if (resident.shadows) {
     resident.shadows.reset();
+    resident.eclipsed.reset();
     resident.sky.reset();
   }
 
@@ -225,6 +234,7 @@ bool BodiesPass::repeatSky(const PlannedBody& body) {
   if (found == s.bodies.end() || !found->second.sky || !found->second.skyShown) return false;
   auto& resident = found->second;
   if (resident.shadows) resident.shadows->bind();
+  if (resident.eclipsed) resident.eclipsed->bind();
   resident.sky->update(*s.airs.at(resident.air), body.cameraHeight, resident.up, resident.sun);
   return true;
 }
@@ -245,6 +255,7 @@ void BodiesPass::draw(const PlannedBody& body, const Projection& picture, glm::i
     s.vacuum.bindUniform(1);
   if (resident.skyShown) resident.sky->bind();
   if (resident.shadows) resident.shadows->bind();
+  if (resident.eclipsed) resident.eclipsed->bind();
   resident.block.bindUniform(2);
   s.viewNodes.bind();
   if (!body.map.empty()) s.maps.at(body.map).bind(0);
@@ -274,6 +285,7 @@ std::vector<std::pair<std::string, std::size_t>> BodiesPass::residentBytes() con
   for (auto const& [name, map] : state_->maps) list.emplace_back("map " + name, map.bytes());
   for (auto const& [name, resident] : state_->bodies) {
     if (resident.shadows) list.emplace_back("shadows on " + name, resident.shadows->bytes());
+    if (resident.eclipsed) list.emplace_back("eclipsed air of " + name, resident.eclipsed->bytes());
     if (resident.sky) list.emplace_back("sky of " + name, resident.sky->bytes());
   }
   return list;

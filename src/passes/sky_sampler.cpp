@@ -12,6 +12,7 @@
 #include "passes/air_sky.h"
 #include "passes/air_tables.h"
 #include "passes/body_shadows.h"
+#include "passes/eclipsed_source.h"
 #include "passes/gauss_legendre.h"
 
 namespace antumbra {
@@ -52,12 +53,22 @@ std::vector<double> sampleFour(const Medium& medium, const SkyRequest& request,
   if (!request.casters.empty())
     shadows = std::make_unique<BodyShadows>(request.casters, 1.0, request.law, tables.wavelengths(),
                                             medium.topRadius());
-  gl::Definitions const shadowFlags = shadows ? shadows->definitions() : gl::Definitions();
-  if (shadows) shadows->bind();
+  gl::Definitions shadowFlags;
+  std::unique_ptr<EclipsedSource> eclipsed;
+  if (shadows) {
+    shadowFlags = shadows->definitions();
+    auto const more = EclipsedSource::definitions();
+    shadowFlags.insert(shadowFlags.end(), more.begin(), more.end());
+    eclipsed = std::make_unique<EclipsedSource>(tables, *shadows);
+    eclipsed->update(tables, *shadows, request.casters.front(),
+                     {sin(request.sunZenith), 0.0, cos(request.sunZenith)});
+    shadows->bind();
+    eclipsed->bind();
+  }
   bool const useTable = AirSky::serves(tables, request.altitude);
   auto definitions = tables.definitions();
   definitions.insert(definitions.end(), shadowFlags.begin(), shadowFlags.end());
-  for (const char* flag : {"AIR_SINGLE", "AIR_SOURCE", "AIR_CUTS"})
+  for (const char* flag : {"AIR_SINGLE", "AIR_SOURCE", "AIR_CUTS", "ECLIPSED_HARMONICS"})
     definitions.emplace_back(flag, "");
   std::unique_ptr<AirSky> sky;
   if (useTable) {
