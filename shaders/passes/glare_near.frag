@@ -3,6 +3,7 @@
 
 uniform int sourceCount;
 uniform float nearSide;  // texels
+uniform float sourceSize;  // tangent: over which each part is blurred
 uniform vec4 sources[64];  // place about the centroid in units of nearScale, share of the light
 
 out float ratio;
@@ -13,8 +14,8 @@ void main() {
   float sum = 0.0;
   for (int i = 0; i < sourceCount; ++i) {
     vec2 d = q - sources[i].xy;
-    float squared = dot(d, d) * nearScale * nearScale;
-    sum += sources[i].z * eyeHalo(squared, agingFourth, pigmentation);
+    float squared = dot(d, d) * nearScale * nearScale + sourceSize * sourceSize;
+    sum += sources[i].z * pointHalo(squared);
   }
   ratio = sum / softHalo(dot(q, q) * nearScale * nearScale);
 }

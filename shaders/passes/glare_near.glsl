@@ -6,9 +6,17 @@
 
 uniform float agingFourth;
 uniform float pigmentation;
-uniform float nearScale;  // tangent of the unit's angle
+uniform float nearScale;      // tangent of the unit's angle
+uniform float magnification;  // the eye's angle over the sky's
 
-// Halo of a point blurred over nearScale: smooth at its centre, where the sum is compared with it.
+// Halo of a point, per steradian of sky.
+float pointHalo(float angleSquared) {
+  float m2 = magnification * magnification;
+  return m2 * eyeHalo(m2 * angleSquared, agingFourth, pigmentation);
+}
+
+// The same blurred over nearScale: smooth at its centre, where the sum is compared with it.
 float softHalo(float angleSquared) {
-  return eyeSpread(angleSquared + nearScale * nearScale, agingFourth, pigmentation);
+  float m2 = magnification * magnification;
+  return m2 * eyeSpread(m2 * (angleSquared + nearScale * nearScale), agingFourth, pigmentation);
 }

@@ -16,7 +16,9 @@
 const Number kGlareDegree = 57.29577951308232;  // degrees in a radian
 const Angle kGlareCore = 1.7453292519943295e-3;  // 0.1 degree
 
-// The whole function, 1/sr, of the squared angle. `agingFourth` is (A/70)^4.
+// The whole function, 1/sr, of the squared angle. `agingFourth` is (A/70)^4. Through an instrument of
+// magnification m the eye sees m times the angle, and the halo of a point at angle t of the sky is
+// m^2 times the function at m t: the callers scale.
 Number eyeSpread(Number angleSquared, Number agingFourth, Number pigment) {
   Number t2 = angleSquared * (kGlareDegree * kGlareDegree);
   Number sharp = 1.0 + t2 / (0.0046 * 0.0046);

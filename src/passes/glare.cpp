@@ -13,7 +13,7 @@
 namespace antumbra {
 namespace {
 
-constexpr int kNearSide = 64;
+constexpr int kNearSide = 96;
 
 float agingFourth(const Eye& eye) { return static_cast<float>(std::pow(eye.ageYears / 70.0, 4.0)); }
 
@@ -28,6 +28,14 @@ void Eye::check(const std::string& where) const {
   if (!pigmented)
     throw InputError(
         fmt::format("{}: found a pigmentation of {}; allowed: 0 to 1.2", where, pigmentation));
+  if (!(magnification >= 1.0 && magnification <= 1e5))
+    throw InputError(
+        fmt::format("{}: found a magnification of {}; allowed: 1 to 100000", where, magnification));
+}
+
+double magnificationOf(const Projection& projection) {
+  if (projection.kind == ProjectionKind::Equirectangular) return 1.0;
+  return std::max(1.0, 60.0 * degree / projection.field);
 }
 
 double haloShare(const Eye& eye) {
@@ -55,21 +63,28 @@ bool GlarePass::draw(const Projection& projection, const SunPlane& plane, const 
   glm::dvec3 const lux = sunlight * visible.light;
   if (visible.sources.empty() || !(std::max({lux.x, lux.y, lux.z}) > 0.0)) return false;
   // The angle over which the halo differs from a point's.
-  double const scale = std::max(plane.tangent(), std::tan(static_cast<double>(glsl::kGlareCore)));
+  double const scale = std::max(
+      plane.tangent(), std::tan(static_cast<double>(glsl::kGlareCore)) / eye.magnification);
   GLint viewport[4] = {}, target = 0;
   glGetIntegerv(GL_VIEWPORT, viewport);
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
   auto const setEye = [&](const gl::Program& program) {
     program.set("agingFourth", agingFourth(eye))
         .set("pigmentation", static_cast<float>(eye.pigmentation))
+        .set("magnification", static_cast<float>(eye.magnification))
         .set("nearScale", static_cast<float>(scale));
   };
   std::vector<glm::vec4> sources;
   for (SunSource const& s : visible.sources)
     sources.emplace_back((glm::dvec2(s.place) - visible.centroid) * (plane.tangent() / scale),
                          s.share, 0.0f);
+  // Where the halo's core is finer than the sources lie apart, each stands for its neighbourhood.
+  double const half = 0.5 * visible.sourceSpacing * plane.tangent();
+  double const finer = std::tan(static_cast<double>(glsl::kGlareCore)) / (eye.magnification * half);
+  double const sourceSize = half / (1.0 + finer * finer);
   near_.set("sourceCount", static_cast<int>(sources.size()))
       .set("nearSide", static_cast<float>(kNearSide))
+      .set("sourceSize", static_cast<float>(sourceSize))
       .setArray("sources", sources.data(), static_cast<int>(sources.size()));
   setEye(near_);
   glDisable(GL_BLEND);

@@ -20,9 +20,15 @@ namespace antumbra {
 struct Eye {
   double ageYears = 35.0;
   double pigmentation = 0.5;
+  // The eye's angle over the sky's, 1 or more: a picture of a small field is a view through a
+  // telescope, whose halo is as much smaller.
+  double magnification = 1.0;
   // Throws InputError (opened by `where`) outside the function's span.
   void check(const std::string& where) const;
 };
+
+// As a picture is mostly looked at: fields below 60 degrees are magnified to that.
+double magnificationOf(const Projection& projection);
 
 // Share of a point's light that its halo holds, over the whole sphere.
 double haloShare(const Eye& eye);

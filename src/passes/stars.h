@@ -11,6 +11,7 @@
 
 #include "gl/buffer.h"
 #include "gl/program.h"
+#include "passes/glare.h"
 #include "view/projection.h"
 
 namespace antumbra {
@@ -32,9 +33,17 @@ class StarsPass {
   // view block is bound at 0. Leaves blending and depth test off.
   void draw(std::span<const StarPoint> points);
 
+  // Adds the halos (shaders/shared/glare.glsl) of the points whose light the eye spreads over more
+  // than three pixels at `faintestLuminance`: what makes a bright star look larger than a faint
+  // one. On top of `draw`, which keeps all of a point's light: up to a quarter of it more.
+  // Conditions as for `draw`; returns how many halos there are.
+  int drawHalos(const Projection& projection, std::span<const StarPoint> points,
+                const Eye& eye = {}, double faintestLuminance = 1.0e-4);
+
  private:
+  void drawInstances(std::span<const StarPoint> points, const gl::Program& program, int rounds);
   ProjectionKind kind_;
-  gl::Program program_;
+  gl::Program program_, halo_;
   gl::Buffer vertices_;
   GLuint vertexArray_ = 0;
 };

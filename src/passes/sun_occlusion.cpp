@@ -58,6 +58,8 @@ VisibleSun combine(const std::array<CellSums, kCellCount>& cells, const PlaneWin
     return window.middle + uv.x * window.along + uv.y * window.across;
   };
   visible.centroid = placeOf(moment / light.w);
+  visible.sourceSpacing =
+      2.0 * std::max(glm::length(window.along), glm::length(window.across)) / kCells;
   for (CellSums const& cell : cells)
     if (cell.light.w > 0.0)
       visible.sources.push_back({glm::vec2(placeOf(cell.moment / cell.light.w)),

@@ -32,6 +32,7 @@ struct VisibleSun {
   glm::dvec3 light{0.0};           // share of the disc's light, linear sRGB channels
   glm::dvec2 centroid{0.0};        // of the visible luminance, in the Sun's plane
   std::vector<SunSource> sources;  // at most 64; shares add to 1
+  double sourceSpacing = 0.0;      // of neighbouring sources, solar radii
   bool fromQuery = false;
   std::uint64_t discSamples = 0;     // without the depth test, in the part of the plane looked at
   std::uint64_t visibleSamples = 0;  // with it

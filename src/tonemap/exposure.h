@@ -45,9 +45,9 @@ MeterReading readMeter(std::span<const MeterCell> cells);
 
 struct AutomaticExposure {
   double compensationStops = 0.0;  // brighter if positive
-  // The most that is ever brought out: white at 0.01 cd/m2 shows a moonless sky (2e-4 cd/m2) as a
-  // dark grey and a star of sixth magnitude on a dome.
-  double darkestWhite = 0.01;
+  // The most that is ever brought out: white at 0.03 cd/m2 shows a moonless sky (2e-4 cd/m2) just
+  // above black, and a star of sixth magnitude at a tenth of white in a field of 60 degrees.
+  double darkestWhite = 0.03;
 };
 Exposure exposureFor(const MeterReading& reading, const AutomaticExposure& settings = {});
 

@@ -60,6 +60,7 @@ TEST(EyeHalo, LeavesTheFunctionAsItIsBeyondAFewTenthsOfADegree) {
 TEST(Eye, RefusesWhatTheFunctionDoesNotSpan) {
   EXPECT_THROW((Eye{150.0, 0.5}.check("age")), InputError);
   EXPECT_THROW((Eye{30.0, -1.0}.check("pigmentation")), InputError);
+  EXPECT_THROW((Eye{30.0, 0.5, 0.5}.check("magnification")), InputError);
   EXPECT_THROW((Eye{std::nan(""), 0.5}.check("age")), InputError);
   EXPECT_NO_THROW((Eye{}.check("eye")));
 }

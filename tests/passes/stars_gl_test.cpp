@@ -130,6 +130,45 @@ TEST_F(StarsGlTest, TilesTogetherHoldWhatThePictureHolds) {
   EXPECT_NEAR(sum / whole.lux, 1.0, 1e-4);
 }
 
+// A halo has the glare function's luminance between the core and its faded edge, and no square
+// shows.
+TEST_F(StarsGlTest, BrightStarsHaveTheirHalo) {
+  Projection const p{ProjectionKind::Perspective, 20.0 * degree, 400, 400};
+  StarsPass pass(p.kind);
+  testsupport::SkyPicture picture(p);
+  StarPoint const venus{{0.0f, 0.0f, -1.0f}, glm::vec3(1e-4f)};
+  StarPoint const faint{{0.05f, 0.0f, -1.0f}, glm::vec3(1e-9f)};
+  int halos = 0;
+  picture.draw([&] { halos = pass.drawHalos(p, {{venus, faint}}); });
+  EXPECT_EQ(halos, 1);
+  int const x = 200 + 8;  // 0.43 deg
+  double const t =
+      angleBetween(*p.directionAt(x + 0.5, 200.5), Direction<CameraAxes>{{0, 0, -1}}).si;
+  EXPECT_NEAR(picture.at(x, 200).y / (1e-4 * glsl::eyeSpread(t * t, 0.0625, 0.5)), 1.0, 0.12);
+  // At its reach, 2.4 deg, it has gone smoothly.
+  for (int i = 40; i < 60; ++i) EXPECT_LE(picture.at(200 + i, 200).y, 3e-5) << i;
+  EXPECT_EQ(picture.at(260, 200).y, 0.0);
+}
+
+TEST_F(StarsGlTest, ThroughATelescopeHalosShrink) {
+  StarPoint const venus{{0.0f, 0.0f, -1.0f}, glm::vec3(1e-4f)};
+  for (double field : {10.0, 60.0}) {
+    Projection const p{ProjectionKind::Perspective, field * degree, 400, 400};
+    StarsPass pass(p.kind);
+    testsupport::SkyPicture picture(p);
+    Eye eye;
+    eye.magnification = magnificationOf(p);
+    EXPECT_NEAR(eye.magnification, 60.0 / field, 1e-12);
+    picture.draw([&] { pass.drawHalos(p, {{venus}}, eye, 1e-6); });
+    double const t =
+        angleBetween(*p.directionAt(210.5, 200.5), Direction<CameraAxes>{{0, 0, -1}}).si;
+    double const m = 60.0 / field;
+    EXPECT_NEAR(
+        picture.at(210, 200).y / (1e-4 * m * m * glsl::eyeSpread(m * m * t * t, 0.0625, 0.5)), 1.0,
+        0.05);
+  }
+}
+
 // The shared solid angle against Girard's theorem.
 TEST(PixelScale, SolidAnglesCoverTheSphere) {
   double sum = 0.0;
