@@ -7,6 +7,7 @@ int main(int argc, char** argv) {
   program.set_version_flag("--version", std::string("antumbra ") + ANTUMBRA_VERSION);
   program.require_subcommand(1);
   antumbra::addRenderCommand(program);
+  antumbra::addSkyCommand(program);
   antumbra::addViewCommand(program);
   antumbra::addEclipseCommand(program);
   return antumbra::runProgram(program, argc, argv);

@@ -8,6 +8,7 @@
 namespace antumbra {
 
 void addRenderCommand(CLI::App& program);
+void addSkyCommand(CLI::App& program);
 void addViewCommand(CLI::App& program);
 void addEclipseCommand(CLI::App& program);
 

@@ -1,0 +1,329 @@
+// `antumbra sky`: radiance, luminance and irradiance of a sky in given directions, by any method.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "app/commands.h"
+#include "app/sky_methods.h"
+#include "document/document.h"
+#include "document/paths.h"
+#include "photometry/colour.h"
+#include "photometry/spectral_weights.h"
+#include "photometry/standard_spectra.h"
+
+namespace antumbra {
+namespace {
+
+struct Options {
+  std::string medium, altitudeKm = "0", sunZenith, directions, wavelengths, method = "reference",
+                      sun = "point", albedo, units = "relative", seed = "1", error = "0.5%",
+                      format = "csv", occulter, limbDarkening = "hestroffer";
+  bool irradiance = false, luminance = false;
+};
+
+constexpr Length kMoonRadius{1737.4e3};  // IAU WGCCRE 2015 mean radius
+constexpr const char* kDirectionsHeader = "view_zenith_deg,rel_azimuth_deg";
+
+struct ViewDirection {
+  double zenithDegrees, azimuthDegrees;
+  std::string zenithText, azimuthText;  // printed as they were given
+};
+
+void chosenFrom(const std::string& value, const char* option,
+                const std::vector<std::string>& allowed) {
+  std::string list;
+  for (auto const& a : allowed) {
+    if (a == value) return;
+    list += (list.empty() ? "" : ", ") + a;
+  }
+  throw InputError(fmt::format("{}: found \"{}\"; allowed: {}", option, value, list));
+}
+
+double within(const std::string& text, const std::string& where, double low, double high) {
+  double const value = parseNumber(text, where);
+  if (!(value >= low && value <= high))
+    throw InputError(fmt::format("{}: found {}; allowed: {} to {}", where, text, low, high));
+  return value;
+}
+
+std::vector<std::string> cellsOf(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream in(line);
+  for (std::string cell; std::getline(in, cell, ',');) {
+    auto const first = cell.find_first_not_of(" \t\r"), last = cell.find_last_not_of(" \t\r");
+    cells.push_back(first == std::string::npos ? "" : cell.substr(first, last - first + 1));
+  }
+  return cells;
+}
+
+std::vector<ViewDirection> readDirections(const std::string& source) {
+  std::ifstream file;
+  if (source != "-") {
+    file.open(source);
+    if (!file) throw InputError("--directions: " + source + ": cannot be read");
+  }
+  std::istream& in = source == "-" ? std::cin : file;
+  std::string const name = source == "-" ? "standard input" : source;
+  std::vector<ViewDirection> directions;
+  bool header = false;
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number) {
+    auto const cells = cellsOf(line);
+    if (cells.empty() || (cells.size() == 1 && cells[0].empty()) || cells[0].starts_with("#"))
+      continue;
+    std::string const where = fmt::format("{}:{}", name, number);
+    if (!header) {
+      if (cells.size() != 2 || cells[0] + "," + cells[1] != kDirectionsHeader)
+        throw InputError(fmt::format("{}: found \"{}\"; allowed: the header {}", where, line,
+                                     kDirectionsHeader));
+      header = true;
+      continue;
+    }
+    if (cells.size() != 2)
+      throw InputError(fmt::format("{}: found {} columns; allowed: two, {}", where, cells.size(),
+                                   kDirectionsHeader));
+    directions.push_back({within(cells[0], where + ": view_zenith_deg", 0.0, 180.0),
+                          within(cells[1], where + ": rel_azimuth_deg", -360.0, 360.0), cells[0],
+                          cells[1]});
+  }
+  if (directions.empty())
+    throw InputError(
+        fmt::format("{}: holds no direction; allowed: the header {} and lines of two numbers", name,
+                    kDirectionsHeader));
+  return directions;
+}
+
+std::vector<Length> readWavelengths(const std::string& text, const Medium& medium) {
+  std::vector<Length> wavelengths;
+  // Without rounding a wavelength in nm out of a span that ends at it.
+  double const first = std::max(medium.firstWavelength() / nanometre, 300.0);
+  double const last = std::min(medium.lastWavelength() / nanometre, 1000.0);
+  for (auto const& cell : cellsOf(text)) {
+    double const nm = parseNumber(cell, "--wavelengths");
+    if (!(nm >= first - 1e-6 && nm <= last + 1e-6))
+      throw InputError(
+          fmt::format("--wavelengths: found {} nm; allowed: {:g} to {:g} nm, the span of the "
+                      "medium",
+                      cell, first, last));
+    wavelengths.push_back(nm * nanometre);
+  }
+  if (wavelengths.empty())
+    throw InputError("--wavelengths: found none; allowed: nanometres, separated by commas");
+  return wavelengths;
+}
+
+double readError(std::string text) {
+  double scale = 1.0;
+  if (!text.empty() && text.back() == '%') {
+    text.pop_back();
+    scale = 0.01;
+  }
+  double const error = scale * parseNumber(text, "--stderr");
+  if (!(error >= 1e-5 && error <= 1.0))
+    throw InputError(fmt::format("--stderr: found {}{}; allowed: 0.001% to 100%", text,
+                                 scale == 1.0 ? "" : "%"));
+  return error;
+}
+
+// ratio=R,shift-km=S[,azimuth-deg=A]: the shadow's axis passes through a point of the observer's
+// horizontal plane, S km away at azimuth A from that of the Sun.
+Occulter readOcculter(const std::string& text, const SkyRequest& request) {
+  double ratio = NAN, shiftKm = NAN, azimuth = 90.0;
+  for (auto const& cell : cellsOf(text)) {
+    auto const equals = cell.find('=');
+    std::string const key = cell.substr(0, equals);
+    std::string const value = equals == std::string::npos ? "" : cell.substr(equals + 1);
+    std::string const where = "--occulter: " + key;
+    if (key == "ratio")
+      ratio = within(value, where, 1e-6, 300.0);
+    else if (key == "shift-km")
+      shiftKm = within(value, where, -1e9, 1e9);
+    else if (key == "azimuth-deg")
+      azimuth = within(value, where, -360.0, 360.0);
+    else
+      throw InputError(
+          fmt::format("--occulter: found \"{}\"; allowed: ratio=, shift-km= and "
+                      "azimuth-deg=, separated by commas",
+                      cell));
+  }
+  if (std::isnan(ratio)) throw InputError("--occulter: ratio= is missing");
+  if (std::isnan(shiftKm)) throw InputError("--occulter: shift-km= is missing");
+  double const a = azimuth * (degree / radian);
+  auto const axisPoint =
+      request.camera + (shiftKm * kilometre) * Direction<AirFrame>{{std::cos(a), std::sin(a), 0.0}};
+  return occulterByRatio(ratio, kMoonRadius, axisPoint, request.sun);
+}
+
+Direction<AirFrame> directionAt(double zenithDegrees, double azimuthDegrees) {
+  double const z = zenithDegrees * (degree / radian), a = azimuthDegrees * (degree / radian);
+  return {{std::sin(z) * std::cos(a), std::sin(z) * std::sin(a), std::cos(z)}};
+}
+
+void showProgress(double share) {
+  int const width = 40, full = static_cast<int>(share * width);
+  fmt::print(stderr, "\rsky [{:=<{}}{: <{}}] {:3.0f} %", "", full, "", width - full, 100.0 * share);
+  if (share >= 1.0) fmt::print(stderr, "\r{: <60}\r", "");
+  std::fflush(stderr);
+}
+
+void printLuminance(const SkyRequest& request, const SkyAnswer& answer,
+                    const std::vector<ViewDirection>& views) {
+  auto const weights = linearSrgbWeights(request.wavelengths);
+  size_t const n = weights.size();
+  auto const xyzOf = [&](auto const& value) {
+    glm::dvec3 rgb(0.0);
+    for (size_t w = 0; w < n; ++w) rgb += weights[w] * value(w);
+    return xyzFromLinearSrgb(rgb);
+  };
+  if (request.irradiance) {
+    auto const direct = xyzOf([&](size_t w) { return answer.direct[w]; });
+    auto const diffuse = xyzOf([&](size_t w) { return answer.diffuse[w].value; });
+    auto const c = chromaticityOf(direct + diffuse);
+    fmt::print("direct_lx,diffuse_lx,x,y\n{:.6g},{:.6g},{:.5f},{:.5f}\n", direct.y, diffuse.y, c.x,
+               c.y);
+    return;
+  }
+  fmt::print("{},luminance_cd_m2,x,y\n", kDirectionsHeader);
+  for (size_t d = 0; d < views.size(); ++d) {
+    auto const xyz = xyzOf([&](size_t w) { return answer.radiances[d * n + w].value; });
+    auto const c = chromaticityOf(xyz);
+    fmt::print("{},{},{:.6g},{:.5f},{:.5f}\n", views[d].zenithText, views[d].azimuthText, xyz.y,
+               c.x, c.y);
+  }
+}
+
+void printSpectral(const SkyRequest& request, const SkyAnswer& answer,
+                   const std::vector<ViewDirection>& views, bool si) {
+  size_t const n = request.wavelengths.size();
+  std::vector<double> scale;
+  for (Length w : request.wavelengths) scale.push_back(si ? solarIrradiance(w) : 1.0);
+  auto const nm = [&](size_t w) { return request.wavelengths[w] / nanometre; };
+  if (request.irradiance) {
+    fmt::print("wavelength_nm,direct,diffuse\n");
+    for (size_t w = 0; w < n; ++w)
+      fmt::print("{:g},{:.6g},{:.6g}\n", nm(w), scale[w] * answer.direct[w],
+                 scale[w] * answer.diffuse[w].value);
+    return;
+  }
+  fmt::print("{},wavelength_nm,radiance,stderr\n", kDirectionsHeader);
+  for (size_t d = 0; d < views.size(); ++d)
+    for (size_t w = 0; w < n; ++w) {
+      Estimate const& e = answer.radiances[d * n + w];
+      fmt::print("{},{},{:g},{:.6g},{:.3g}\n", views[d].zenithText, views[d].azimuthText, nm(w),
+                 scale[w] * e.value, scale[w] * e.standardError);
+    }
+}
+
+void runSky(const Options& options) {
+  chosenFrom(options.format, "--format", {"csv"});
+  chosenFrom(options.units, "--units", {"relative", "SI"});
+  chosenFrom(options.sun, "--sun", {"point", "disc"});
+  std::vector<std::string> names;
+  for (auto const& [name, method] : skyMethods()) names.push_back(name);
+  chosenFrom(options.method, "--method", names);
+  if (options.luminance && options.units == "SI")
+    throw InputError(
+        "--units: found SI with --luminance, whose units are cd/m2 or lx; allowed: one of the two");
+
+  SkyRequest request;
+  request.medium = readMedium(options.medium);
+  if (!options.albedo.empty())
+    request.medium.groundAlbedo = Spectrum(within(options.albedo, "--albedo", 0.0, 1.0));
+  double const radiusKm = request.medium.radius / kilometre;
+  double const altitudeKm = parseNumber(options.altitudeKm, "--altitude-km");
+  if (!(altitudeKm > -radiusKm && altitudeKm <= 1e12))
+    throw InputError(
+        fmt::format("--altitude-km: found {}; allowed: above {:g} (the centre), up to 1e12",
+                    options.altitudeKm, -radiusKm));
+  request.camera = {{0.0, 0.0, (radiusKm + altitudeKm) * 1e3}};
+  request.groundRadius = std::min(request.medium.radius, Length(request.camera.m.z));
+  request.sun.toSun = directionAt(within(options.sunZenith, "--sun-zenith", 0.0, 180.0), 0.0);
+  if (options.sun == "disc") request.sun.discRadius = kReferenceSolarRadius;
+  request.sun.law = parseLimbDarkeningLaw(options.limbDarkening, "--limb-darkening");
+  if (!options.occulter.empty())
+    request.sun.occulters.push_back(readOcculter(options.occulter, request));
+  if (options.wavelengths.empty()) {
+    if (!options.luminance)
+      throw InputError("--wavelengths: missing; it is required without --luminance");
+    request.wavelengths = defaultWavelengths(8);
+  } else {
+    request.wavelengths = readWavelengths(options.wavelengths, request.medium);
+  }
+  if (options.luminance)
+    (void)linearSrgbWeights(request.wavelengths);  // refuses what has no colour
+  request.irradiance = options.irradiance;
+  request.tracing.relativeError = readError(options.error);
+  long const seed = parseInteger(options.seed, "--seed");
+  if (seed < 0) throw InputError(fmt::format("--seed: found {}; allowed: 0 or more", seed));
+  request.tracing.seed = static_cast<uint64_t>(seed);
+  std::vector<ViewDirection> views;
+  if (!options.irradiance) {
+    if (options.directions.empty())
+      throw InputError("--directions: missing; it is required without --irradiance");
+    views = readDirections(options.directions);
+    for (auto const& v : views)
+      request.directions.push_back(directionAt(v.zenithDegrees, v.azimuthDegrees));
+  } else if (!options.directions.empty()) {
+    throw InputError(
+        "--directions: found with --irradiance, which has none; allowed: one of the two");
+  }
+
+  SkyProgress progress;
+  if (isatty(STDERR_FILENO)) progress = showProgress;
+  SkyAnswer const answer = skyMethods().at(options.method)(request, progress);
+  if (progress) progress(1.0);
+  if (options.luminance)
+    printLuminance(request, answer, views);
+  else
+    printSpectral(request, answer, views, options.units == "SI");
+}
+
+}  // namespace
+
+void addSkyCommand(CLI::App& program) {
+  auto* sky = program.add_subcommand(
+      "sky", "Radiance, luminance and irradiance of a sky, as CSV on standard output");
+  auto const options = std::make_shared<Options>();
+  std::string methods;
+  for (auto const& [name, method] : skyMethods()) methods += (methods.empty() ? "" : ", ") + name;
+  sky->add_option("--medium", options->medium, "medium file (catalogs/atmospheres/README.md)")
+      ->required();
+  sky->add_option("--altitude-km", options->altitudeKm,
+                  "camera's height above the ground's sphere, km");
+  sky->add_option("--sun-zenith", options->sunZenith, "zenith angle of the Sun at the camera, deg")
+      ->required();
+  sky->add_option(
+      "--directions", options->directions,
+      "file (or - for standard input): a header view_zenith_deg,rel_azimuth_deg, then a line "
+      "for each direction; azimuth 0 is towards the Sun, zenith above 90 looks down");
+  sky->add_option("--wavelengths", options->wavelengths,
+                  "nm, separated by commas; with --luminance by default eight of its own choice");
+  sky->add_option("--method", options->method, "one of " + methods);
+  sky->add_option("--sun", options->sun,
+                  "point, or disc of 0.004653 rad for the sunlight's directions");
+  sky->add_option("--albedo", options->albedo, "of the ground, instead of the medium's");
+  sky->add_option("--units", options->units,
+                  "relative (radiance over the Sun's irradiance, 1/sr) or SI (W m-2 sr-1 nm-1)");
+  sky->add_option("--seed", options->seed, "of the random numbers of the reference");
+  sky->add_option("--stderr", options->error,
+                  "standard error at which the reference stops, as 0.5%");
+  sky->add_option("--format", options->format, "csv");
+  sky->add_option(
+      "--occulter", options->occulter,
+      "ratio=R,shift-km=S[,azimuth-deg=A]: a Moon of R solar radii, seen from the point of the "
+      "horizontal plane S km away through which the shadow's axis passes");
+  sky->add_option("--limb-darkening", options->limbDarkening, "hestroffer, neckel or none");
+  sky->add_flag("--irradiance", options->irradiance, "direct and diffuse, of the horizontal plane");
+  sky->add_flag("--luminance", options->luminance, "cd/m2 (or lx) and chromaticity x, y");
+  sky->footer(
+      "Example:\n  printf 'view_zenith_deg,rel_azimuth_deg\\n45,0\\n' | antumbra sky \\\n"
+      "    --medium catalogs/atmospheres/earth.toml --sun-zenith 60 --directions - \\\n"
+      "    --wavelengths 440,550,680 --method reference --stderr 0.5%");
+  sky->callback([options] { runSky(*options); });
+}
+
+}  // namespace antumbra

@@ -1,0 +1,38 @@
+// How `antumbra sky` gets its numbers: each method answers the same request. The reference methods
+// run on the processor (atmosphere/); methods on the graphics device add themselves to
+// skyMethods().
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "atmosphere/path_tracer.h"
+#include "atmosphere/sunlight.h"
+
+namespace antumbra {
+
+struct SkyRequest {
+  Medium medium;
+  // AirFrame with z through the camera and x towards the Sun's azimuth.
+  Position<AirFrame> camera;
+  Length groundRadius;  // the medium's, or the camera's where that lies below it
+  Sunlight sun;
+  std::vector<Direction<AirFrame>> directions;
+  std::vector<Length> wavelengths;
+  bool irradiance = false;  // of the horizontal plane, instead of radiances
+  PathTracerSettings tracing;
+};
+
+struct SkyAnswer {
+  std::vector<Estimate> radiances;  // L / E0, 1/sr: directions, wavelengths innermost
+  std::vector<double> direct;       // E / E0, per wavelength
+  std::vector<Estimate> diffuse;
+};
+
+using SkyProgress = std::function<void(double)>;
+using SkyMethod = std::function<SkyAnswer(const SkyRequest&, const SkyProgress&)>;
+const std::map<std::string, SkyMethod>& skyMethods();
+
+}  // namespace antumbra

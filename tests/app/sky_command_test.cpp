@@ -1,0 +1,133 @@
+// `antumbra sky`: its output formats, and what bad input is told.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "app/commands.h"
+#include "document/input_error.h"
+#include "document/paths.h"
+
+namespace antumbra {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::string mediumFile() {
+  return (catalogsFolder() / "atmospheres/reference_bruneton2017.toml").string();
+}
+
+// What the command prints, or the message of its InputError.
+std::string sky(const std::string& options) {
+  CLI::App program;
+  addSkyCommand(program);
+  testing::internal::CaptureStdout();
+  std::string complaint;
+  try {
+    program.parse("sky " + options);
+  } catch (const InputError& error) {
+    complaint = error.what();
+  } catch (const CLI::ParseError& error) {
+    complaint = std::string("command line: ") + error.what();
+  }
+  std::string const printed = testing::internal::GetCapturedStdout();
+  EXPECT_TRUE(complaint.empty() || printed.empty()) << "half an answer before an error";
+  return complaint.empty() ? printed : complaint;
+}
+
+class SkyCommand : public testing::Test {
+ protected:
+  SkyCommand()
+      : directions_(std::filesystem::temp_directory_path() /
+                    ("antumbra_sky_" + std::to_string(::getpid()) + ".csv")) {}
+  ~SkyCommand() override { std::filesystem::remove(directions_); }
+  // Options with a file of these directions.
+  std::string look(const std::string& lines, const std::string& options) {
+    std::ofstream(directions_) << lines;
+    return sky("--medium " + mediumFile() + " --directions " + directions_.string() + " " +
+               options);
+  }
+  std::filesystem::path directions_;
+};
+
+const std::string kTwo = "view_zenith_deg,rel_azimuth_deg\n45,0\n100.50,-90\n";
+
+TEST_F(SkyCommand, PrintsRowsInInputOrderWavelengthsInnermost) {
+  std::string const out =
+      look(kTwo, "--sun-zenith 60 --wavelengths 550,440 --method single --altitude-km 10");
+  std::istringstream in(out);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  ASSERT_EQ(lines.size(), 5u) << out;
+  EXPECT_EQ(lines[0], "view_zenith_deg,rel_azimuth_deg,wavelength_nm,radiance,stderr");
+  EXPECT_TRUE(lines[1].starts_with("45,0,550,")) << out;
+  EXPECT_TRUE(lines[2].starts_with("45,0,440,")) << out;
+  EXPECT_TRUE(lines[3].starts_with("100.50,-90,550,")) << out;
+}
+
+TEST_F(SkyCommand, SiUnitsAreTheSunTimesTheRelativeOnes) {
+  auto const valueOf = [](const std::string& out) {
+    double value = 0.0;
+    EXPECT_EQ(std::sscanf(out.c_str() + out.find("45,0,550,"), "45,0,550,%lf", &value), 1) << out;
+    return value;
+  };
+  std::string const options = "--sun-zenith 60 --wavelengths 550 --method single";
+  double const ratio = valueOf(look(kTwo, options + " --units SI")) / valueOf(look(kTwo, options));
+  EXPECT_NEAR(ratio, 1.86, 0.03);  // W m-2 nm-1 at 550 nm, ASTM E490
+}
+
+TEST_F(SkyCommand, LuminanceAndIrradiance) {
+  std::string const base = "--medium " + mediumFile() + " --sun-zenith 30 --method single ";
+  EXPECT_THAT(sky(base + "--irradiance --wavelengths 550"),
+              testing::StartsWith("wavelength_nm,direct,diffuse\n550,0.735"));
+  EXPECT_THAT(sky(base + "--irradiance --luminance"),
+              testing::StartsWith("direct_lx,diffuse_lx,x,y\n"));
+  EXPECT_THAT(look(kTwo, "--sun-zenith 30 --method single --luminance"),
+              testing::StartsWith("view_zenith_deg,rel_azimuth_deg,luminance_cd_m2,x,y\n45,0,"));
+}
+
+TEST_F(SkyCommand, OccultedAxisHasNoDirectLight) {
+  std::string const base = "--medium " + mediumFile() +
+                           " --sun-zenith 35 --wavelengths 550 --irradiance --method single ";
+  EXPECT_THAT(sky(base + "--occulter ratio=1.0515,shift-km=0"), HasSubstr("550,0,"));
+  // The light of the crescent by an independent quadrature of I = mu^alpha over it: 7.2774e-4 of
+  // the Sun's, at the direct irradiance of the uneclipsed 0.68886.
+  double direct = 0.0, diffuse = 0.0;
+  std::string const out = sky(base + "--occulter ratio=1.0515,shift-km=100");
+  ASSERT_EQ(std::sscanf(out.c_str() + out.find("550,"), "550,%lf,%lf", &direct, &diffuse), 2)
+      << out;
+  EXPECT_NEAR(direct / (7.2774e-4 * 0.68886), 1.0, 1e-3);
+  EXPECT_GT(diffuse, 0.0);
+}
+
+TEST_F(SkyCommand, BadInputNamesOptionFindingAndAllowance) {
+  std::string const wave = "--sun-zenith 60 --wavelengths 550 --method single ";
+  EXPECT_THAT(sky("--sun-zenith 60 --medium /nowhere.toml"), HasSubstr("/nowhere.toml"));
+  EXPECT_THAT(look(kTwo, "--wavelengths 550 --sun-zenith nan"), HasSubstr("--sun-zenith"));
+  EXPECT_THAT(look(kTwo, "--wavelengths 550 --sun-zenith 181"),
+              AllOf(HasSubstr("181"), HasSubstr("180")));
+  EXPECT_THAT(look(kTwo, "--wavelengths 200 --sun-zenith 60"),
+              AllOf(HasSubstr("200 nm"), HasSubstr("360")));
+  EXPECT_THAT(look(kTwo, "--sun-zenith 60"), HasSubstr("--wavelengths: missing"));
+  EXPECT_THAT(look(kTwo, "--sun-zenith 60 --wavelengths 550 --method best"),
+              AllOf(HasSubstr("best"), HasSubstr("reference")));
+  EXPECT_THAT(look(kTwo, wave + "--units cgs"), HasSubstr("--units"));
+  EXPECT_THAT(look(kTwo, wave + "--sun ring"), HasSubstr("--sun"));
+  EXPECT_THAT(look(kTwo, wave + "--format json"), HasSubstr("--format"));
+  EXPECT_THAT(look(kTwo, wave + "--albedo 1.5"), HasSubstr("--albedo"));
+  EXPECT_THAT(look(kTwo, wave + "--altitude-km -7000"), HasSubstr("--altitude-km"));
+  EXPECT_THAT(look(kTwo, wave + "--stderr 0%"), HasSubstr("--stderr"));
+  EXPECT_THAT(look(kTwo, wave + "--seed -1"), HasSubstr("--seed"));
+  EXPECT_THAT(look(kTwo, wave + "--limb-darkening quadratic"), HasSubstr("neckel"));
+  EXPECT_THAT(look(kTwo, wave + "--occulter ratio=1.05"), HasSubstr("shift-km= is missing"));
+  EXPECT_THAT(look(kTwo, wave + "--occulter ratio=-1,shift-km=0"), HasSubstr("ratio"));
+  EXPECT_THAT(look("", wave), HasSubstr("holds no direction"));
+  EXPECT_THAT(look("zenith,azimuth\n1,2\n", wave), AllOf(HasSubstr(":1"), HasSubstr("header")));
+  EXPECT_THAT(look(kTwo + "200,0\n", wave), AllOf(HasSubstr(":4"), HasSubstr("view_zenith_deg")));
+  EXPECT_THAT(look(kTwo + "20\n", wave), AllOf(HasSubstr(":4"), HasSubstr("columns")));
+}
+
+}  // namespace
+}  // namespace antumbra
