@@ -132,7 +132,7 @@ SurfaceLight surfaceLight(vec3 normal, vec3 direction, float footprint) {
 #ifdef AIR
     sun = exp(-depthAt(sunPlace(0.0, max(sunCosine, 0.0)), layer));
 #endif
-#ifdef SHADOW_PAIRS
+#if defined(SHADOW_PAIRS) && !defined(UNECLIPSED)
     sun *= visibleSunlight(position, layer);
 #endif
     direct[layer] = sun;
@@ -192,7 +192,8 @@ vec4 illustration(vec3 position, float footprint) {
     float inPenumbra = clamp(0.5 + (penumbra - place.distance) / footprint, 0.0, 1.0);
     float inCentre = clamp(0.5 + (abs(umbra) - place.distance) / footprint, 0.0, 1.0);
     vec3 centre = umbra > 0.0 ? vec3(0.02, 0.02, 0.08) : vec3(0.75, 0.25, 0.02);
-    vec4 here = mix(vec4(0.25, 0.35, 0.9, 0.35), vec4(centre, 0.85), inCentre) * vec4(vec3(1.0), inPenumbra);
+    vec4 here = mix(vec4(0.16, 0.22, 0.55, 0.45), vec4(centre, 0.95), inCentre) *
+                vec4(vec3(1.0), inPenumbra);
     float hidden = 1.0 - visibleFractionUniform(discs);
     // Obscuration per metre, for lines of equal width.
     float step_ = 0.02 * (penumbra - umbra);

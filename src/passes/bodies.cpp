@@ -55,6 +55,7 @@ struct Resident {
   std::unique_ptr<EclipsedSource> eclipsed;
   int pairCount = 0;
   LimbDarkeningLaw law = LimbDarkeningLaw::Hestroffer;
+  bool illustrative = false;
   std::unique_ptr<AirSky> sky;
   bool skyShown = false;
   gl::Buffer block;
@@ -142,7 +143,7 @@ void BodiesPass::prepare(const PlannedBody& body, const Projection& picture, con
     double const reach = radius + (air ? air->top().si : 0.0);
     gl::Definitions const wanted{{"SHADOW_PAIRS", std::to_string(pairs.size())}};
     if (!resident.shadows || keyOf(resident.shadows->definitions()) != keyOf(wanted) ||
-        resident.law != look.law) {
+        resident.law != look.law || resident.illustrative != look.illustrative) {
       resident.shadows =
           std::make_unique<BodyShadows>(pairs, flat, look.law, s.wavelengths, Length(reach));
       resident.sky.reset();
@@ -150,8 +151,13 @@ void BodiesPass::prepare(const PlannedBody& body, const Projection& picture, con
       resident.shadows->update(pairs);
     }
     resident.law = look.law;
+    resident.illustrative = look.illustrative;
     shadowFlags = wanted;
-    if (air) {
+    // Flat colours mark the shadows of the illustrative look; its light is that without an eclipse.
+    if (look.illustrative) {
+      shadowFlags.emplace_back("UNECLIPSED", "");
+      resident.eclipsed.reset();
+    } else if (air) {
       if (!resident.eclipsed)
         resident.eclipsed = std::make_unique<EclipsedSource>(*air, *resident.shadows);
       resident.eclipsed->update(*air, *resident.shadows, pairs.front(), resident.sun);
