@@ -17,10 +17,12 @@
 #include "gl/view_block.h"
 #include "passes/bodies.h"
 #include "passes/corona.h"
+#include "passes/glare.h"
 #include "passes/stars.h"
 #include "passes/sun.h"
+#include "passes/sun_occlusion.h"
 #include "photometry/colour.h"
-#include "photometry/standard_spectra.h"
+#include "picture/sunlight.h"
 #include "scene/apparent_stars.h"
 #include "scene/star_catalogue.h"
 #include "tonemap/tone_map.h"
@@ -34,13 +36,6 @@ constexpr int kMeteredWidth = 1024;          // of a tiled picture's small copy
 
 glm::vec3 colouredLux(double lux, double colorIndexBv) {
   return glm::vec3(starColour(std::clamp(colorIndexBv, -0.4, 4.0)) * lux);
-}
-
-// Sunlight at 1 au without air, lx in linear sRGB (ASTM E490, CIE 1931).
-glm::dvec3 solarIlluminanceAtOneAu() {
-  static glm::dvec3 const lux =
-      linearSrgbFromXyz(xyzOfRelativeRadiance([](Length) { return 1.0; }));
-  return lux;
 }
 
 SunInView sunInView(const RenderPlan& plan, LimbDarkeningLaw law) {
@@ -64,10 +59,11 @@ SpheroidInView spheroidOf(const PlannedBody& body) {
 // What is compiled once for each projection.
 struct ProjectionPasses {
   explicit ProjectionPasses(ProjectionKind kind)
-      : stars(kind), sun(kind), corona(kind), toneMap(kind) {}
+      : stars(kind), sun(kind), corona(kind), glare(kind), toneMap(kind) {}
   StarsPass stars;
   SunPass sun;
   CoronaPass corona;
+  GlarePass glare;
   ToneMap toneMap;
 };
 
@@ -86,6 +82,9 @@ struct PictureRenderer::State {
   PictureCounters counters;
   PassObserver observer;
   std::optional<Exposure> liveExposure;
+  std::unique_ptr<SunOcclusion> occlusion;
+  std::optional<VisibleSun> visibleSun;
+  glm::dvec3 airBeforeSun{1.0};
 
   ProjectionPasses& passesFor(ProjectionKind kind) {
     return byProjection.try_emplace(kind, kind).first->second;
@@ -114,6 +113,27 @@ struct PictureRenderer::State {
     return points;
   }
 
+  // How much of the Sun the device finds uncovered: of this very picture off line, of the newest
+  // that has arrived live.
+  void askForSun(const RenderPlan& plan, LimbDarkeningLaw law) {
+    if (!occlusion) occlusion = std::make_unique<SunOcclusion>();
+    SunInView const sun = sunInView(plan, law);
+    SunPlane const plane(sun);
+    std::vector<SpheroidInView> bodiesInView;
+    for (auto const& body : plan.bodies) bodiesInView.push_back(spheroidOf(body));
+    auto const silhouettes = plane.silhouettes(bodiesInView);
+    auto const ask = [&] { occlusion->ask(sun, plane, silhouettes); };
+    ask();
+    visibleSun = mode == Mode::OffLine ? std::optional(occlusion->wait()) : occlusion->newest();
+    airBeforeSun = sunlightThroughAir(plan);
+    counters.occlusionQueries = occlusion->queriesIssued();
+    if (observer)
+      observer("occlusion query", [&] {
+        ask();
+        occlusion->wait();
+      });
+  }
+
   // Makes resident what a picture needs, and what belongs to its instant alone.
   void prepare(const Scene& scene, const RenderPlan& plan) {
     if (!bodies || quality != scene.quality) {
@@ -127,6 +147,8 @@ struct PictureRenderer::State {
       bodies->prepare(body, plan.picture, look);
       if (observer) observer("sky table " + body.name, [&] { bodies->repeatSky(body); });
     }
+    visibleSun.reset();
+    if (plan.queryOcclusion) askForSun(plan, look.law);
     counters.tablesBuilt = bodies->tablesBuilt();
     counters.shadowPairs = bodies->shadowPairs();
   }
@@ -167,6 +189,14 @@ struct PictureRenderer::State {
     glm::ivec2 const size{linear.width(), linear.height()};
     for (auto const& body : plan.bodies)
       run("body " + body.name, [&] { bodies->draw(body, plan.picture, origin, size); });
+    if (visibleSun) {
+      SunPlane const plane(sunInView(plan, law));
+      glm::dvec3 const sunlight = sunInView(plan, law).illuminanceLux * airBeforeSun;
+      Eye eye;
+      eye.magnification = magnificationOf(plan.picture);
+      linearTarget.bind();
+      run("glare", [&] { passes.glare.draw(plan.picture, plane, *visibleSun, sunlight, eye); });
+    }
   }
 
   Exposure exposureOf(const Scene& scene, const MeterReading& reading) const {

@@ -1,0 +1,56 @@
+#include "picture/sunlight.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "atmosphere/single_scattering.h"
+#include "document/paths.h"
+#include "medium/medium.h"
+#include "photometry/colour.h"
+#include "photometry/spectral_weights.h"
+#include "photometry/standard_spectra.h"
+
+namespace antumbra {
+
+glm::dvec3 solarIlluminanceAtOneAu() {
+  static glm::dvec3 const lux =
+      linearSrgbFromXyz(xyzOfRelativeRadiance([](Length) { return 1.0; }));
+  return lux;
+}
+
+glm::dvec3 sunlightThroughAir(const RenderPlan& plan) {
+  auto const wavelengths = defaultWavelengths(16);
+  auto const weights = linearSrgbWeights(wavelengths);
+  std::vector<double> passed(wavelengths.size(), 1.0);
+  bool any = false;
+  for (const PlannedBody& body : plan.bodies) {
+    if (body.atmosphere.empty()) continue;
+    glm::dvec3 const stretch(1.0, 1.0, body.equatorialRadius / body.polarRadius);
+    glm::dmat3 const& turn = body.bodyFromCamera.matrix;
+    glm::dvec3 const up = glm::normalize(stretch * (turn * -body.centre.m));
+    glm::dvec3 const sun = glm::normalize(stretch * (turn * plan.sun.direction.u));
+    Medium const medium =
+        readMedium(catalogsFolder() / "atmospheres" / (body.atmosphere + ".toml"));
+    double const r = medium.radius.si + std::max(body.cameraHeight.si, 0.0);
+    double const cosine = glm::dot(up, sun);
+    double const sine = glm::length(glm::cross(up, sun));
+    // A ray that meets the ground is dimmed like the one that grazes it: the silhouette hides it.
+    double const grazing =
+        -std::sqrt(std::max(0.0, 1.0 - std::pow(medium.radius.si / r, 2.0))) + 1e-7;
+    double const c = std::max(cosine, grazing);
+    double const s = c == cosine ? sine : std::sqrt(1.0 - c * c);
+    for (std::size_t i = 0; i < wavelengths.size(); ++i)
+      passed[i] *= transmittance(medium, Position<AirFrame>{{0.0, 0.0, r}},
+                                 Direction<AirFrame>{{s, 0.0, c}}, wavelengths[i]);
+    any = true;
+  }
+  if (!any) return glm::dvec3(1.0);
+  glm::dvec3 through(0.0), whole(0.0);
+  for (std::size_t i = 0; i < wavelengths.size(); ++i) {
+    through += weights[i] * passed[i];
+    whole += weights[i];
+  }
+  return glm::max(through / whole, 0.0);
+}
+
+}  // namespace antumbra

@@ -1,0 +1,21 @@
+// Sunlight as it arrives at the camera: through the air of every body that the line of sight
+// crosses.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "plan/render_plan.h"
+
+namespace antumbra {
+
+// At 1 au without air, lx in linear sRGB (ASTM E490, CIE 1931).
+glm::dvec3 solarIlluminanceAtOneAu();
+
+// Share of sunlight, in linear sRGB, that the airs of the planned bodies let through to the camera:
+// optical depths by quadrature at 16 wavelengths, in the space in which each body is a sphere. What
+// bodies hide takes no part: the ground hides by its silhouette. To be honest: along the ray to the
+// Sun's centre, without refraction; near the horizon the disc's two edges differ by a factor of
+// two.
+glm::dvec3 sunlightThroughAir(const RenderPlan& plan);
+
+}  // namespace antumbra

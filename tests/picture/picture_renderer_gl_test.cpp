@@ -1,0 +1,121 @@
+// Whole pictures: what was really computed agrees with what was planned, tiles join, and the
+// picture is finite from the ground to deep space.
+#include "picture/picture_renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "document/input_error.h"
+#include "document/paths.h"
+#include "tests/support/gl_fixture.h"
+
+namespace antumbra {
+namespace {
+
+using GlTest = testsupport::GlTest;
+
+DecodedImage greyMap(const std::string&, const std::string&) {
+  return {4, 2, 3, std::vector<unsigned char>(4 * 2 * 3, 128)};
+}
+
+struct Drawn {
+  RenderPlan plan;
+  FinishedPicture picture;
+  PictureCounters counters;
+};
+
+Drawn draw(const Scene& scene, const std::string& time, PictureRenderer& renderer) {
+  auto const placed = placeScene(scene, parseInstant(time, "test"), BodyCatalogue::standard(),
+                                 Ephemeris::standard(), DeltaT::standard());
+  Drawn drawn;
+  drawn.plan = makeRenderPlan(scene, placed);
+  drawn.picture = renderer.finish(scene, placed, drawn.plan);
+  drawn.counters = renderer.counters();
+  return drawn;
+}
+
+Drawn draw(const Scene& scene, const std::string& time) {
+  PictureRenderer renderer(greyMap);
+  return draw(scene, time, renderer);
+}
+
+Scene smallDome() {
+  Scene s = readScene(configsFolder() / "scenes" / "luxor_dome.toml");
+  s.picture.width = s.picture.height = 64;
+  s.quality = "draft";
+  return s;
+}
+
+void expectFinite(const FinishedPicture& picture) {
+  for (float v : picture.linear) {
+    ASSERT_TRUE(std::isfinite(v));
+    ASSERT_GE(v, 0.0f);
+  }
+}
+
+TEST_F(GlTest, TotalityUsesOneMediumOneShadowPairAndItsQueries) {
+  Drawn const d = draw(smallDome(), "2027-08-02T10:05:06Z");
+  expectFinite(d.picture);
+  EXPECT_EQ(d.counters.tablesBuilt, 1);
+  EXPECT_EQ(d.counters.shadowPairs, 1);
+  EXPECT_EQ(d.counters.shadowPairs, static_cast<int>(d.plan.shadows.size()));
+  EXPECT_GT(d.counters.occlusionQueries, 0);
+}
+
+TEST_F(GlTest, AnAirlessSceneBuildsNoTable) {
+  Scene scene = smallDome();
+  scene.bodies = {"Moon"};
+  scene.camera.body = "Moon";
+  scene.camera.height = 2.0 * metre;
+  Drawn const d = draw(scene, "2027-08-02T10:05:06Z");
+  expectFinite(d.picture);
+  EXPECT_EQ(d.counters.tablesBuilt, 0);
+  EXPECT_EQ(d.counters.shadowPairs, 0);
+}
+
+TEST_F(GlTest, NoQueryWithoutTheSunAndNoPairWithoutAnEclipse) {
+  Drawn const night = draw(smallDome(), "2027-07-20T22:05:06Z");
+  EXPECT_EQ(night.counters.occlusionQueries, 0);
+  EXPECT_EQ(night.counters.shadowPairs, 0);
+  Drawn const day = draw(smallDome(), "2027-07-20T10:05:06Z");
+  EXPECT_EQ(day.counters.shadowPairs, 0);
+  EXPECT_GT(day.counters.occlusionQueries, 0);
+}
+
+TEST_F(GlTest, TilesJoinWithoutASeam) {
+  Scene scene = smallDome();
+  scene.picture = {ProjectionKind::Equirectangular, 360.0 * degree, 4400, 16};
+  scene.display.automaticExposure = false;
+  Drawn const d = draw(scene, "2027-07-20T06:00:00Z");
+  expectFinite(d.picture);
+  // The second tile begins at column 4096: no step there larger than the largest among the columns
+  // around it.
+  auto const luminance = [&](int x, int y) {
+    return d.picture.linear[static_cast<std::size_t>(y * 4400 + x) * 3 + 1];
+  };
+  for (int y = 0; y < 16; ++y) {
+    float around = 1e-6f * luminance(4096, y);
+    for (int x = 4066; x < 4126; ++x)
+      if (x != 4095) around = std::max(around, std::fabs(luminance(x + 1, y) - luminance(x, y)));
+    EXPECT_LE(std::fabs(luminance(4096, y) - luminance(4095, y)), 1.01f * around) << y;
+  }
+}
+
+TEST_F(GlTest, FiniteAtEveryHeightAndRefusedBeyondTheLargestSize) {
+  Scene scene = smallDome();
+  scene.picture = {ProjectionKind::Perspective, 90.0 * degree, 48, 27};
+  scene.camera.target = "";
+  scene.camera.altitude = -20.0 * degree;
+  PictureRenderer renderer(greyMap);
+  for (double height : {-400.0, 0.001, 1.0, 1e3, 59e3, 60e3, 61e3, 1e6, 1e8, 1e9, 1e11}) {
+    scene.camera.height = Length(height);
+    SCOPED_TRACE(height);
+    expectFinite(draw(scene, "2027-08-02T09:05:06Z", renderer).picture);
+  }
+  scene.picture.width = scene.picture.height = 20000;
+  EXPECT_THROW(draw(scene, "2027-08-02T09:05:06Z"), InputError);
+}
+
+}  // namespace
+}  // namespace antumbra
