@@ -61,6 +61,20 @@ Number coronaBrightness(Number radius, Number sineLatitude, Number flattening) {
   return electronCorona(radius / (1.0 + e * cosDouble)) + dustCorona(radius);
 }
 
+// Light of the round corona from beyond `radius` as a share of the whole Sun's: the profile's integral
+// in closed form, up to `last` radii. `centreOverMean` is the disc's central brightness over its mean
+// (solarBrightness at 1).
+Number coronaShareBetween(Number radius, Number last, Number centreOverMean) {
+  Number inverse = 1.0 / max(radius, 1.0);
+  Number fifth = inverse * inverse * inverse * inverse * inverse;
+  Number inverseLast = 1.0 / last;
+  Number fifthLast = inverseLast * inverseLast * inverseLast * inverseLast * inverseLast;
+  Number steep = 2.565 / 15.0 * (fifth * fifth * fifth - fifthLast * fifthLast * fifthLast) +
+                 1.425 / 5.0 * (fifth - fifthLast);
+  Number dust = 0.0532 / 0.5 * (sqrt(inverse) - sqrt(inverseLast));
+  return 2.0e-6 * centreOverMean * (steep + dust);
+}
+
 // Mean of the chromosphere between two distances from the centre, inner < outer: a pixel is mostly
 // wider than it.
 Number chromosphereBetween(Number inner, Number outer) {

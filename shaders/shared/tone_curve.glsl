@@ -1,7 +1,7 @@
 // From scene luminance to a display: a curve of luminance, then the colour at that luminance.
 //
 // The curve is the identity up to kToneKnee and above it approaches 1 like a stop of film,
-//   f(x) = knee + (1 - knee) t / (1 + t^p)^(1/p),  t = (x - knee) / (1 - knee),  p = kToneSharpness:
+//   f(x) = knee + (1 - knee) t / (1 + t^p)^(1/p),  t = (x - knee) / (1 - knee),  p = 4/3:
 // slope 1 at the knee; white lands at 0.74, one stop above it at 0.89, five at 0.997. Shadows stay
 // linear, so that the display shows true ratios up to the knee.
 //
@@ -13,16 +13,15 @@
 #include "shared/quantities.glsl"
 
 const Number kToneKnee = 0.35;
-const Number kToneSharpness = 1.35;
 
 // Luminance over that of display white (1 = white where nothing is compressed) to display, [0, 1).
 Number toneCurve(Number x) {
-  Number t = max((x - kToneKnee) / (1.0 - kToneKnee), 0.0);
-  // As a function of 1/t beyond 1, so that 1e14 does not overflow.
-  Number p = kToneSharpness;
-  Number compressed = t > 1.0 ? pow(1.0 + pow(1.0 / t, p), -1.0 / p)
-                              : t * pow(1.0 + pow(t, p), -1.0 / p);
-  return min(x, kToneKnee) + (1.0 - kToneKnee) * compressed;
+  Number t = max((x - kToneKnee) / (1.0 - kToneKnee), 1.0e-12);
+  // (1 + t^(4/3))^(-3/4) by one power and two roots; t^(4/3) stays within floats up to 1e28.
+  Number grown = 1.0 + t * exp2(log2(t) / 3.0);
+  Number root = sqrt(grown);
+  return x <= kToneKnee ? x
+                        : min(kToneKnee + (1.0 - kToneKnee) * t / (root * sqrt(root)), 1.0);
 }
 
 // ITU-R BT.709 / IEC 61966-2-1: luminance of linear sRGB.
@@ -32,11 +31,14 @@ Number luminanceOfColour(Colour c) {
 
 // The largest s in (0, 1] with s * reach below headroom, rounded off where both are alike.
 Number saturationWithin(Number reach, Number headroom) {
+  // 1 / (1 + ratio^4)^(1/4) with ratio = reach over headroom; the larger of both is taken out, so
+  // that nothing overflows.
   Number r = max(reach, 1.0e-12);
-  Number ratio = r / max(headroom, 1.0e-12);
-  // 1 / (1 + ratio^4)^(1/4), without overflow.
-  return ratio > 1.0 ? pow(1.0 + pow(1.0 / ratio, 4.0), -0.25) / ratio
-                     : pow(1.0 + pow(ratio, 4.0), -0.25);
+  Number h = max(headroom, 1.0e-12);
+  Number larger = max(r, h);
+  Number a = (r / larger) * (r / larger);
+  Number b = (h / larger) * (h / larger);
+  return h / (larger * sqrt(sqrt(a * a + b * b)));
 }
 
 // Linear sRGB in [0, 1] for the display. `scene` in cd/m^2 per channel, negative channels allowed

@@ -42,9 +42,7 @@ TEST_F(CoronaGlTest, KeepsItsLightOnADome) {
   SunPlane const plane(sun);
   SpheroidInView const moon = testsupport::moonBefore(sun, 1.03, {0.0, 0.0});
   std::vector<Silhouette> const silhouettes = plane.silhouettes({{moon}}, kCoronaEnd);
-  double want = 0.0;
-  for (double r = 1.03 + 5e-4; r < 30.0; r += 1e-3)
-    want += 2.0 * r * 1e-3 * glsl::coronaBrightness(r, 0.0, 0.0) * centreOverMean;
+  double const want = glsl::coronaShareBetween(1.03, 37.0, centreOverMean);
   for (int size : {1024, 2048}) {
     Projection const p{ProjectionKind::Fisheye, 180.0 * degree, size, size};
     SkyPicture picture(p);

@@ -33,6 +33,16 @@ TEST(Corona, SendsAMillionthOfTheSunsLight) {
   EXPECT_LT(share, 1.3e-6);
 }
 
+TEST(Corona, ShareIsTheProfilesIntegral) {
+  for (double from : {1.0, 1.03, 1.5}) {
+    double sum = 0.0;
+    double const step = 1e-4;
+    for (double r = from + step / 2; r < 10.0; r += step)
+      sum += 2.0 * r * step * glsl::coronaBrightness(r, 0.0, 0.0) * 1.24;
+    EXPECT_NEAR(glsl::coronaShareBetween(from, 10.0, 1.24) / sum, 1.0, 1e-5) << from;
+  }
+}
+
 // Radius at which the K corona has `level`, by bisection.
 double isophote(double level, double sineLatitude, double flattening) {
   double low = 1.0, high = 10.0;

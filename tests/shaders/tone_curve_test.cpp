@@ -27,7 +27,7 @@ TEST(ToneCurve, RisesOverTwentyDecadesAndStaysBelowOne) {
   double last = -1.0;
   for (double x = 1e-8; x < 1e13; x *= 1.3) {
     double const shown = glsl::toneCurve(x);
-    EXPECT_GE(shown, last) << x;
+    EXPECT_GE(shown, last - 1e-15) << x;  // rounding, where it is 1
     EXPECT_LE(shown, 1.0) << x;
     last = shown;
   }
