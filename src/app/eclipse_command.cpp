@@ -17,6 +17,7 @@ void addEclipseCommand(CLI::App& program) {
   addEclipseList(*eclipse);
   addEclipseAt(*eclipse);
   addEclipsePath(*eclipse);
+  addEclipseMap(*eclipse);
   addEclipseElements(*eclipse);
 }
 

@@ -5,6 +5,7 @@
 #include "app/eclipse_options.h"
 #include "app/row_table.h"
 #include "document/input_error.h"
+#include "eclipse/transit.h"
 
 namespace antumbra {
 namespace {
@@ -79,6 +80,25 @@ RowTable::Row rowOf(const LunarEclipse& e, const EclipseBasis& basis) {
   return row;
 }
 
+RowTable::Row rowOf(const Transit& e, const EclipseBasis& basis) {
+  RowTable::Row row{{"ecl_id", e.id},
+                    {"type", nameOf(e.planet)},
+                    {"jd_tt_greatest", cell(e.greatest.tt().value(), 8)},
+                    {"delta_t_s", cell(e.deltaT / second, 3)},
+                    {"separation_arcsec", cell(e.separation / arcsecond, 2)},
+                    {"position_angle_deg", cell(e.positionAngle * 180.0 / M_PI, 2)},
+                    {"sun_radius_arcsec", cell(e.sunRadius / arcsecond, 2)},
+                    {"planet_radius_arcsec", cell(e.planetRadius / arcsecond, 2)},
+                    {"i_ut1", ut1Of(e.i, e.deltaT)},
+                    {"ii_ut1", ut1Of(e.ii, e.deltaT)},
+                    {"greatest_ut1", ut1Of(e.greatest, e.deltaT)},
+                    {"iii_ut1", ut1Of(e.iii, e.deltaT)},
+                    {"iv_ut1", ut1Of(e.iv, e.deltaT)},
+                    {"convention", basis.convention.name},
+                    {"sun_radius_km", cell(basis.convention.sunRadius / kilometre, 1)}};
+  return row;
+}
+
 // A line on a terminal's standard error, rewritten as the search goes.
 Progress progressLine(const std::string& what) {
   if (isatty(STDERR_FILENO) == 0) return {};
@@ -102,6 +122,8 @@ void list(const Options& options) {
     for (auto const& e : solarEclipses(basis, from, to, progress)) table.add(rowOf(e, basis));
   if (options.kind == "lunar")
     for (auto const& e : lunarEclipses(basis, from, to, progress)) table.add(rowOf(e, basis));
+  if (options.kind == "transit")
+    for (auto const& e : transits(basis, from, to, progress)) table.add(rowOf(e, basis));
   if (options.format == "table") fmt::print("{}\n", describe(basis));
   writeText(options.output, table.text(options.format, {"ecl_id"}));
 }

@@ -24,10 +24,10 @@ Instant contactInstant(std::string_view text, const EclipseBasis& basis, const s
       name == "greatest" || name == "P1" || name == "U1" || name == "U4" || name == "P4";
   if ((!local && !global) || date.empty() || !more.empty() || local == place.empty() ||
       (local && place[0] != '@'))
-    throw InputError(
-        fmt::format("{}: found \"{}\"; a contact is written \"C2 2027-08-02 @LAT,LON,HEIGHT\" with "
-                    "C1, C2, max, C3 or C4, or \"greatest 2027-08-02\" with greatest, P1, U1, U4 or P4",
-                    where, text));
+    throw InputError(fmt::format(
+        "{}: found \"{}\"; a contact is written \"C2 2027-08-02 @LAT,LON,HEIGHT\" with "
+        "C1, C2, max, C3 or C4, or \"greatest 2027-08-02\" with greatest, P1, U1, U4 or P4",
+        where, text));
   SolarEvent const event = solarEventOn(basis, date, where);
   std::optional<Instant> found;
   if (local) {

@@ -3,6 +3,8 @@
 // sea level. Times are seconds of TT from the middle of the track.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 

@@ -15,11 +15,11 @@ constexpr double kEarthTurnsPerDay = 1.00273781191135448;
 }  // namespace
 
 SunMoonTrack::SunMoonTrack(const Ephemeris& ephemeris, Instant middle, Duration halfSpan,
-                           Duration deltaT)
+                           Duration deltaT, BodyId occulter)
     : middle_(middle), halfSpan_(halfSpan), deltaT_(deltaT) {
   auto const equator = trueEquatorOfDateFromIcrs(middle);
   siderealTime_ = greenwichApparentSiderealTime(middle, DeltaT::fixed(deltaT)) / radian;
-  std::array<BodyId, 2> const bodies{BodyId::Sun, BodyId::Moon};
+  std::array<BodyId, 2> const bodies{BodyId::Sun, occulter};
   std::array<std::array<double, 6>, kNodes> values{};
   for (int node = 0; node < kNodes; ++node) {
     double const x = std::cos(M_PI * (node + 0.5) / kNodes);

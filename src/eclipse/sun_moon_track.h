@@ -1,5 +1,6 @@
-// The Sun and the Moon as seen from the geocentre over a few hours about a syzygy, at a cost of 0.2
-// microseconds a look: what searching, contacts and paths evaluate thousands of times.
+// The Sun and the Moon (or another body before the Sun) as seen from the geocentre over a few hours
+// about a syzygy, at a cost of 0.2 microseconds a look: what searching, contacts and paths evaluate
+// thousands of times.
 //
 // Apparent places (light time and aberration of an observer at the geocentre) as Chebyshev
 // polynomials of degree 10 through the ephemeris; over eight hours they stay within 1 m of it
@@ -20,7 +21,8 @@ namespace antumbra {
 class SunMoonTrack {
  public:
   // Throws SpanError if the ephemeris does not reach.
-  SunMoonTrack(const Ephemeris& ephemeris, Instant middle, Duration halfSpan, Duration deltaT);
+  SunMoonTrack(const Ephemeris& ephemeris, Instant middle, Duration halfSpan, Duration deltaT,
+               BodyId occulter = BodyId::Moon);
 
   Instant middle() const { return middle_; }
   Duration halfSpan() const { return halfSpan_; }
@@ -30,7 +32,7 @@ class SunMoonTrack {
 
   // Geocentric apparent places in metres along the axes of Itrs, at seconds of TT from the middle.
   struct Places {
-    glm::dvec3 sun, moon;
+    glm::dvec3 sun, moon;  // moon: the occulter
   };
   Places placesAt(double seconds) const;
   // The same along the true equator and equinox of date.

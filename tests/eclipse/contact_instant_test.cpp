@@ -18,8 +18,8 @@ EclipseBasis basisOf1999() {
 TEST(ContactInstant, IsTheAuthoritysSecondContact) {
   // tests/authorities/solar_local.csv: Munich, 1999-08-11, C2 10:37:13.978 UT1.
   Instant const t = contactInstant("C2 1999-08-11 @48.1372,11.5756,520", basisOf1999(), "--time");
-  Instant const printed = parseInstant("1999-08-11T10:37:13.978 UT1", "test",
-                                       DeltaT::fixed(63.702 * second));
+  Instant const printed =
+      parseInstant("1999-08-11T10:37:13.978 UT1", "test", DeltaT::fixed(63.702 * second));
   EXPECT_LT(abs(t - printed), 0.2 * second);
 }
 
@@ -37,8 +37,8 @@ TEST(ContactInstant, OrdersTheContacts) {
 
 TEST(ContactInstant, ExplainsBadInput) {
   for (const char* text : {"C5 1999-08-11 @1,2", "C2 1999-08-11", "greatest 1999-08-11 @1,2", "C2",
-                           "C2 1999-08-11 48,11", "C2 1999-08-11 @48,11 now", "C2 1999-08-12 @48,11",
-                           "C2 1999-08-11 @91,11"})
+                           "C2 1999-08-11 48,11", "C2 1999-08-11 @48,11 now",
+                           "C2 1999-08-12 @48,11", "C2 1999-08-11 @91,11"})
     EXPECT_THROW(contactInstant(text, basisOf1999(), "--time"), InputError) << text;
   EXPECT_THAT([] { contactInstant("C2 1999-08-11 @51.5,-0.1", basisOf1999(), "--time"); },
               testing::ThrowsMessage<InputError>(testing::HasSubstr("partial there")));
