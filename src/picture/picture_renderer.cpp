@@ -165,13 +165,32 @@ struct PictureRenderer::State {
     glClear(GL_COLOR_BUFFER_BIT);
 
     auto const stars = starPoints(scene, placed);
-    run("stars", [&] { passes.stars.draw(stars); });
+    Eye eye;
+    eye.magnification = magnificationOf(plan.picture);
+    run("stars", [&] {
+      passes.stars.draw(stars);
+      passes.stars.drawHalos(plan.picture, stars, eye);
+    });
     if (!plan.points.empty()) {
       std::vector<StarPoint> points;
       for (auto const& p : plan.points)
         points.push_back({p.direction.u, colouredLux(p.illuminance, p.colorIndexBv)});
-      run("points", [&] { passes.stars.draw(points); });
+      run("points", [&] {
+        passes.stars.draw(points);
+        passes.stars.drawHalos(plan.picture, points, eye);
+      });
     }
+    // What is farther than any air comes before the Sun, whose passes leave out what it covers: the
+    // pixels of a limb before the corona then hold each light once.
+    glm::ivec2 const size{linear.width(), linear.height()};
+    auto const firstAir =
+        std::find_if(plan.bodies.begin(), plan.bodies.end(),
+                     [](const PlannedBody& body) { return !body.atmosphere.empty(); });
+    auto const drawBodies = [&](auto from, auto to) {
+      for (auto body = from; body != to; ++body)
+        run("body " + body->name, [&] { bodies->draw(*body, plan.picture, origin, size); });
+    };
+    drawBodies(plan.bodies.begin(), firstAir);
     LimbDarkeningLaw const law =
         parseLimbDarkeningLaw(scene.shadows.limbDarkening, scene.file + ": [shadows]");
     if (plan.drawSun) {
@@ -186,14 +205,10 @@ struct PictureRenderer::State {
       run("sun", [&] { passes.sun.draw(plan.picture, sun, plane, discs, origin); });
       run("corona", [&] { passes.corona.draw(plan.picture, sun, plane, wide, {}, origin); });
     }
-    glm::ivec2 const size{linear.width(), linear.height()};
-    for (auto const& body : plan.bodies)
-      run("body " + body.name, [&] { bodies->draw(body, plan.picture, origin, size); });
+    drawBodies(firstAir, plan.bodies.end());
     if (visibleSun) {
       SunPlane const plane(sunInView(plan, law));
       glm::dvec3 const sunlight = sunInView(plan, law).illuminanceLux * airBeforeSun;
-      Eye eye;
-      eye.magnification = magnificationOf(plan.picture);
       linearTarget.bind();
       run("glare", [&] { passes.glare.draw(plan.picture, plane, *visibleSun, sunlight, eye); });
     }
