@@ -36,6 +36,7 @@ TEST_F(SunGlTest, DiscKeepsItsFluxInEveryProjection) {
   Case const cases[] = {
       {{ProjectionKind::Perspective, 1.0 * degree, 300, 200}, 1e-3},
       {{ProjectionKind::Perspective, 100.0 * degree, 400, 300}, 1e-2},  // 2 pixels across
+      {{ProjectionKind::Fisheye, 180.0 * degree, 340, 340}, 1e-2},      // 1 pixel
       {{ProjectionKind::Fisheye, 180.0 * degree, 1024, 1024}, 5e-3},    // 3 pixels
       {{ProjectionKind::Fisheye, 180.0 * degree, 2048, 2048}, 5e-3},    // 6 pixels
       {{ProjectionKind::Equirectangular, 360.0 * degree, 2048, 1024}, 5e-3},
