@@ -180,11 +180,16 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
   if (!plan.points.empty())
     passes.push_back(
         {"points", fmt::format("{} bodies smaller than {} px", plan.points.size(), kPointPixels)});
-  if (plan.drawSun)
-    passes.push_back({"sun", "disc and corona; nothing covers all of it"});
-  else
-    plan.leftOut.push_back({"sun", "wholly behind " + plan.sun.hiddenBy});
-  for (auto const& b : plan.bodies)
+  // The Sun comes after what is farther than any air, and before the air that dims it.
+  bool sunPassed = false;
+  auto const passSun = [&] {
+    if (plan.drawSun && !sunPassed)
+      passes.push_back({"sun", "disc and corona; nothing covers all of it"});
+    sunPassed = true;
+  };
+  if (!plan.drawSun) plan.leftOut.push_back({"sun", "wholly behind " + plan.sun.hiddenBy});
+  for (auto const& b : plan.bodies) {
+    if (!b.atmosphere.empty()) passSun();
     passes.push_back(
         {"body " + b.name,
          fmt::format(
@@ -192,6 +197,8 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
              b.cameraInAir ? "the camera is in its air" : "a disc of " + pixels(b.diameterPixels),
              b.atmosphere.empty() ? "" : ", with air",
              b.casters.empty() ? "" : fmt::format(", shaded by {}", b.casters.size()))});
+  }
+  passSun();
   if (plan.queryOcclusion)
     passes.push_back({"occlusion query", "the Sun's disc is in the picture and not wholly hidden"});
   else
