@@ -84,9 +84,6 @@ float sunAboveHorizon(float height, float sunCosine) {
   return clamp(0.5 + 0.5 * (sunCosine - edge) / size, 0.0, 1.0);
 }
 
-// Transmittance toward the Sun, times the share of it above the horizon.
-vec2 sunPlace(float height, float sunCosine) { return depthPlace(height, sunCosine); }
-
 vec3 colourOf(vec4 light[AIR_LAYERS]) {
   vec3 rgb = vec3(0.0);
   for (int layer = 0; layer < AIR_LAYERS; ++layer)

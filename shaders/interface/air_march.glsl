@@ -17,6 +17,11 @@
 #endif
 #endif
 
+// Sparse look-ups of the source: at the low end and at this share of the top's height; beyond, it is
+// held on up to kSparseReach times the root of that height.
+const float kSparseHeight = 0.15;
+const float kSparseReach = 2.0;
+
 struct AirRay {
   float height;      // of its start, inside the air
   float rise;        // r mu at the start, m
@@ -53,10 +58,16 @@ AirLight darkAir() {
 AirWay wayOf(AirRay ray) {
   AirShell shell = airShell();
   AirWay way;
+#if defined(BODY_GROUND)
+  way.hitsGround = true;
+#elif defined(BODY_SKY)
+  way.hitsGround = false;
+#else
   way.hitsGround = ray.rise < 0.0 && ray.groundRoot > 0.0;
+#endif
   way.legCount = 1;
   AirLeg leg;
-  if (ray.rise >= 0.0) {
+  if (ray.rise >= 0.0 && !way.hitsGround) {
     leg.lowHeight = ray.height;
     leg.lowRise = ray.rise;
     leg.lowSunRise = ray.sunRise;
@@ -107,63 +118,94 @@ vec4 depthOfWay(AirRay ray, AirWay way, int layer) {
 }
 
 #ifdef AIR_SOURCE
-// Radiance that has been scattered (or reflected by the ground) before, averaged over directions with
-// the phase functions, times the scattering coefficients: 1/(m sr).
-vec4 sourceAt(AirDensities d, vec3 place[6], SunFrame f, int layer) {
-  vec4 w0 = vec4(0.0), w1 = vec4(0.0), w2 = vec4(0.0);
+// Radiance that has been scattered (or reflected by the ground) before, as the parts of it that meet
+// the moments 0, 1 and 2 of a phase function in one direction, 1/sr.
+struct SourceParts {
+  vec4 even;
+  vec4 first;
+  vec4 second;
+};
+
+SourceParts sourcePartsAt(AirPoint p, float sense, float sunAlong, vec3 where, vec3 direction,
+                          int layer) {
+  AirShell shell = airShell();
+  vec2 at = onTexels(sourceCoordinates(shell, airShape.z, p.height, p.sunCosine),
+                     textureSize(airSource, 0).xy);
+  SunFrame f = sunFrame(sense * p.cosine, p.sunCosine, sunAlong);
+  float first = float(layer * 7);
+  SourceParts parts;
+  parts.even = textureLod(airSource, vec3(at, first), 0.0);
+  parts.first = f.z * textureLod(airSource, vec3(at, first + 1.0), 0.0) +
+                f.x * textureLod(airSource, vec3(at, first + 2.0), 0.0);
+  parts.second =
+      (1.5 * f.z * f.z - 0.5) * textureLod(airSource, vec3(at, first + 3.0), 0.0) +
+      f.x * f.z * textureLod(airSource, vec3(at, first + 4.0), 0.0) +
+      (2.0 * f.x * f.x + f.z * f.z - 1.0) * textureLod(airSource, vec3(at, first + 5.0), 0.0);
+#ifdef AIR_ECLIPSED_SOURCE
+  EclipsedPlace place = eclipsedPlace(where, p.height);
+#ifdef ECLIPSED_HARMONICS
+  vec3 left = cross(normalize(where), eclipsedSun.xyz);
+  float sideways = place.side * dot(direction, left) / max(length(left), 1e-6);
+  vec4 even = parts.even * eclipsedQuantity(place, 0, layer);
+  vec4 one = even * (f.z * eclipsedQuantity(place, 2, layer) + f.x * eclipsedQuantity(place, 3, layer) +
+                     sideways * eclipsedQuantity(place, 4, layer));
+  vec4 two = even * ((1.5 * f.z * f.z - 0.5) * eclipsedQuantity(place, 5, layer) +
+                     f.x * f.z * eclipsedQuantity(place, 6, layer) +
+                     (f.x * f.x - sideways * sideways) * eclipsedQuantity(place, 7, layer) +
+                     sideways * f.z * eclipsedQuantity(place, 8, layer) +
+                     f.x * sideways * eclipsedQuantity(place, 9, layer));
+  parts.even = mix(parts.even, even, place.inside);
+  parts.first = mix(parts.first, one, place.inside);
+  parts.second = mix(parts.second, two, place.inside);
+#else
+  vec4 share = eclipsedShare(place, 0, layer);
+  parts.even *= share;
+  parts.first *= share;
+  parts.second *= share;
+#endif
+#endif
+  return parts;
+}
+
+// Averaged with the phase functions and times the scattering coefficients: 1/(m sr).
+vec4 scatteredSource(AirDensities d, SourceParts parts, int layer) {
+  vec4 sum = vec4(0.0);
   for (int c = 0; c < AIR_CONSTITUENTS; ++c) {
     int i = layer * AIR_CONSTITUENTS + c;
-    vec4 s = airScattering[i] * d.of[c];
-    w0 += s;
-    w1 += s * airPhaseMoment1[i];
-    w2 += s * airPhaseMoment2[i];
+    sum += airScattering[i] * d.of[c] *
+           (parts.even + airPhaseMoment1[i] * parts.first + airPhaseMoment2[i] * parts.second);
   }
-  vec2 at = place[0].xy;
-  float first = float(layer * 7);
-  vec4 sum = w0 * textureLod(airSource, vec3(at, first), 0.0);
-  sum += w1 * (f.z * textureLod(airSource, vec3(at, first + 1.0), 0.0) +
-               f.x * textureLod(airSource, vec3(at, first + 2.0), 0.0));
-  float sineSquared = 1.0 - f.z * f.z;
-  sum += w2 * ((1.5 * f.z * f.z - 0.5) * textureLod(airSource, vec3(at, first + 3.0), 0.0) +
-               f.x * f.z * textureLod(airSource, vec3(at, first + 4.0), 0.0) +
-               (2.0 * f.x * f.x - sineSquared) * textureLod(airSource, vec3(at, first + 5.0), 0.0));
   return max(sum, vec4(0.0));
 }
 #endif
 
-#if defined(ECLIPSED_HARMONICS) && defined(AIR_ECLIPSED_SOURCE)
-// The same inside a shadow. `sideways`: component of the ray along up x Sun, mirrored with the place.
-vec4 eclipsedSourceAt(AirDensities d, EclipsedPlace at, SunFrame f, float sideways, vec2 place,
-                      int layer) {
-  vec4 w0 = vec4(0.0), w1 = vec4(0.0), w2 = vec4(0.0);
-  for (int c = 0; c < AIR_CONSTITUENTS; ++c) {
-    int i = layer * AIR_CONSTITUENTS + c;
-    vec4 s = airScattering[i] * d.of[c];
-    w0 += s;
-    w1 += s * airPhaseMoment1[i];
-    w2 += s * airPhaseMoment2[i];
-  }
-  vec4 mean = textureLod(airSource, vec3(place, float(layer * 7)), 0.0) *
-              eclipsedQuantity(at, 0, layer);
-  vec4 sum = w0;
-  sum += w1 * (f.z * eclipsedQuantity(at, 2, layer) + f.x * eclipsedQuantity(at, 3, layer) +
-               sideways * eclipsedQuantity(at, 4, layer));
-  sum += w2 * ((1.5 * f.z * f.z - 0.5) * eclipsedQuantity(at, 5, layer) +
-               f.x * f.z * eclipsedQuantity(at, 6, layer) +
-               (f.x * f.x - sideways * sideways) * eclipsedQuantity(at, 7, layer) +
-               sideways * f.z * eclipsedQuantity(at, 8, layer) +
-               f.x * sideways * eclipsedQuantity(at, 9, layer));
-  return max(sum * mean, vec4(0.0));
+vec3 placeOnLeg(AirRay ray, AirLeg leg, float fromLow) {
+  return ray.start + ray.direction * (leg.lowDistance + leg.sense * fromLow);
 }
-#endif
 
 // Adds the light of the part u0..u1 of a leg. `before`: optical depth from the camera to a point is
-// before - sense times the point's depth to the top along the leg.
-void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, vec4 before[AIR_LAYERS],
+// before - sense times the point's depth to the top along the leg. Where `sparse`, the source is
+// looked up at two heights only and is linear in the root of height between them.
+void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, bool sparse, vec4 before[AIR_LAYERS],
               vec4 phases[AIR_LAYERS * AIR_CONSTITUENTS], inout AirLight light) {
   AirShell shell = airShell();
   float span = leg.highHeight - leg.lowHeight;
-  for (int i = 0; i < nodeCount.x; ++i) {
+#ifdef AIR_SOURCE
+  SourceParts low[AIR_LAYERS], high[AIR_LAYERS];
+  float highRoot = 1.0;
+  if (sparse) {
+    AirPoint a = pointOnLeg(shell, leg, ray.sunAlong, leg.lowHeight);
+    AirPoint b = pointOnLeg(shell, leg, ray.sunAlong, min(kSparseHeight * shell.top, leg.highHeight));
+    highRoot = 1.0 / max(sqrt(b.height), 1e-3);
+    for (int layer = 0; layer < AIR_LAYERS; ++layer) {
+      low[layer] = sourcePartsAt(a, leg.sense, ray.sunAlong, placeOnLeg(ray, leg, 0.0), ray.direction, layer);
+      high[layer] = sourcePartsAt(b, leg.sense, ray.sunAlong, placeOnLeg(ray, leg, b.fromLow), ray.direction, layer);
+    }
+  }
+#endif
+  // Loops test at their end: a software renderer runs the body once more where they test before it.
+  int i = 0;
+  do {
     float u = mix(u0, u1, nodes[i].x);
     AirPoint p = pointOnLeg(shell, leg, ray.sunAlong, leg.lowHeight + span * u * u * u);
     float distance = (u1 - u0) * nodes[i].y * 3.0 * u * u * span / max(p.cosine, 1e-9);
@@ -171,25 +213,9 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, vec4 before[AIR_LAYERS
     vec2 viewPlace = depthPlace(p.height, p.cosine);
 #ifdef AIR_SINGLE
     float above = sunAboveHorizon(p.height, p.sunCosine);
-    vec2 toSun = sunPlace(p.height, p.sunCosine);
+    vec2 toSun = depthPlace(p.height, p.sunCosine);
 #endif
-#ifdef AIR_ECLIPSED
-    vec3 where = ray.start + ray.direction * (leg.lowDistance + leg.sense * p.fromLow);
-#endif
-#ifdef AIR_SOURCE
-    vec3 place[6];
-    place[0].xy = onTexels(sourceCoordinates(shell, airShape.z, p.height, p.sunCosine),
-                           textureSize(airSource, 0).xy);
-    SunFrame f = sunFrame(leg.sense * p.cosine, p.sunCosine, ray.sunAlong);
-#ifdef AIR_ECLIPSED_SOURCE
-    EclipsedPlace eclipsed = eclipsedPlace(where, p.height);
-#if defined(ECLIPSED_HARMONICS) && defined(AIR_ECLIPSED_SOURCE)
-    vec3 up = normalize(where);
-    vec3 left = cross(up, eclipsedSun.xyz);
-    float sideways = eclipsed.side * dot(ray.direction, left) / max(length(left), 1e-6);
-#endif
-#endif
-#endif
+    vec3 where = placeOnLeg(ray, leg, p.fromLow);
     for (int layer = 0; layer < AIR_LAYERS; ++layer) {
       vec4 depth = max(before[layer] - leg.sense * depthAt(viewPlace, layer), vec4(0.0));
       vec4 weight = distance * exp(-depth);
@@ -212,20 +238,20 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, vec4 before[AIR_LAYERS
       joint *= sun;
 #endif
 #ifdef AIR_SOURCE
-      vec4 source = sourceAt(d, place, f, layer);
-#ifdef AIR_ECLIPSED_SOURCE
-#if defined(ECLIPSED_HARMONICS) && defined(AIR_ECLIPSED_SOURCE)
-      source = mix(source, eclipsedSourceAt(d, eclipsed, f, sideways, place[0].xy, layer),
-                   eclipsed.inside);
-#else
-      source *= eclipsedShare(eclipsed, 0, layer);
-#endif
-#endif
-      joint += weight * source;
+      SourceParts parts;
+      if (sparse) {
+        float share = min(sqrt(p.height) * highRoot, kSparseReach);
+        parts.even = max(mix(low[layer].even, high[layer].even, share), vec4(0.0));
+        parts.first = mix(low[layer].first, high[layer].first, share);
+        parts.second = mix(low[layer].second, high[layer].second, share);
+      } else {
+        parts = sourcePartsAt(p, leg.sense, ray.sunAlong, where, ray.direction, layer);
+      }
+      joint += weight * scatteredSource(d, parts, layer);
 #endif
       light.joint[layer] += joint;
     }
-  }
+  } while (++i < nodeCount.x);
 }
 
 // Distances along a ray at which to begin a new set of samples; negative: none.
@@ -251,9 +277,19 @@ AirLight lightAlong(AirRay ray, AirWay way, AirCuts cuts) {
 #endif
   float r = shell.radius + ray.height;
   vec2 startPlace = depthPlace(ray.height, abs(ray.rise) / r);
+#ifdef BODY_GROUND
+  {
+    vec4 before[AIR_LAYERS];
+    for (int layer = 0; layer < AIR_LAYERS; ++layer) before[layer] = -depthAt(startPlace, layer);
+    marchLeg(ray, way.legs[0], 0.0, 1.0, true, before, phases, light);
+    return light;
+  }
+#else
   vec2 lowPlace = depthPlace(way.legs[0].lowHeight, 0.0);
-  for (int n = 0; n < way.legCount; ++n) {
-    AirLeg leg = way.legs[n];
+  int n = 0;
+  do {
+    AirLeg leg = way.legs[0];
+    if (n == 1) leg = way.legs[1];
     vec4 before[AIR_LAYERS];
     for (int layer = 0; layer < AIR_LAYERS; ++layer) {
       vec4 start = depthAt(startPlace, layer);
@@ -282,14 +318,15 @@ AirLight lightAlong(AirRay ray, AirWay way, AirCuts cuts) {
     float from = 0.0;
     for (int i = 0; i <= 4; ++i) {
       float to = i < 4 ? at[i] : 1.0;
-      if (to > from) marchLeg(ray, leg, from, to, before, phases, light);
+      if (to > from) marchLeg(ray, leg, from, to, false, before, phases, light);
       from = to;
     }
 #else
-    marchLeg(ray, leg, 0.0, 1.0, before, phases, light);
+    marchLeg(ray, leg, 0.0, 1.0, false, before, phases, light);
 #endif
-  }
+  } while (++n < way.legCount);
   return light;
+#endif
 }
 
 // Where the ray crosses the edge of the body's own shadow and of the first caster's umbra.

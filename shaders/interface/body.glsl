@@ -5,6 +5,7 @@
 //   AIR               the body has air (otherwise only the colours of interface/air.glsl are used)
 //   AIR_SKY           the camera is low in the air: its sky lies in a table
 //   SHADOW_PAIRS n    casters whose shadow may be seen
+//   BODY_GROUND: every ray meets sunlit ground; BODY_SKY: none meets any
 //   SURFACE_MAP, WATER_MASK, NIGHT_MAP, SURFACE_LUNAR, ILLUSTRATIVE
 // Mirrors `BodyBlock` in src/passes/bodies.cpp.
 #ifndef INTERFACE_BODY_GLSL
@@ -130,7 +131,7 @@ SurfaceLight surfaceLight(vec3 normal, vec3 direction, float footprint) {
   for (int layer = 0; layer < AIR_LAYERS; ++layer) {
     vec4 sun = vec4(1.0);
 #ifdef AIR
-    sun = exp(-depthAt(sunPlace(0.0, max(sunCosine, 0.0)), layer));
+    sun = exp(-depthAt(depthPlace(0.0, max(sunCosine, 0.0)), layer));
 #endif
 #if defined(SHADOW_PAIRS) && !defined(UNECLIPSED)
     sun *= visibleSunlight(position, layer);
@@ -221,8 +222,17 @@ BodyLight bodyLight(vec3 cameraRay) {
   // Share of the pixel that the ground covers: its edge is b = R.
   float pixel = bodyShape.z * max(ray.toNearest, 1.0);
   float inside = ray.groundRoot / (2.0 * radius);
+  // Parts of the picture that lie wholly on the ground or in the sky leave the other out.
+#if defined(BODY_GROUND)
+  const float cover = 1.0;
+  const bool hits = true;
+#elif defined(BODY_SKY)
+  const float cover = 0.0;
+  const bool hits = false;
+#else
   float cover = ahead ? clamp(0.5 + inside / pixel, 0.0, 1.0) : 0.0;
   bool hits = ahead && ray.groundRoot > 0.0;
+#endif
 #ifdef AIR
   AirShell shell = airShell();
   bool meets = bodyHeights.z < 0.0 || (ahead && ray.topRoot > 0.0);

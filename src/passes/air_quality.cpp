@@ -31,6 +31,7 @@ AirQuality AirQuality::read(const Table& table) {
   q.sourceSamples = within(table, "source_samples", q.sourceSamples, 2, 64);
   q.skySamples = within(table, "sky_samples", q.skySamples, 2, 64);
   q.viewSamples = within(table, "view_samples", q.viewSamples, 2, 64);
+  q.groundSamples = within(table, "ground_samples", q.groundSamples, 2, 64);
   q.skyWidth = within(table, "sky_width", q.skyWidth, 8, 1024);
   q.skyHeight = within(table, "sky_height", q.skyHeight, 16, 2048);
   if (q.skyHeight % 2) table.fail("sky_height", "allowed: an even number");

@@ -18,7 +18,8 @@ struct AirQuality {
   int azimuthDirections = 8;  // in half a turn
   int sourceSamples = 12;     // samples a leg, when the source is computed
   int skySamples = 16;        // samples a leg, in the sky table
-  int viewSamples = 8;        // samples a leg, per pixel
+  int viewSamples = 12;       // samples a leg, per pixel: limb, twilight
+  int groundSamples = 5;      // per pixel of sunlit ground seen through air
   int skyWidth = 48;          // texels of the sky table over half a turn of azimuth
   int skyHeight = 128;        // and over zenith angle
   int eclipseDistances = 32;  // cells of the grid about a shadow's axis: distances from it,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "passes/air_sky.h"
 #include "passes/air_tables.h"
 #include "passes/body_shadows.h"
+#include "passes/body_tiles.h"
 #include "passes/eclipsed_source.h"
 #include "photometry/spectral_weights.h"
 #include "quantity/constants.h"
@@ -59,7 +61,9 @@ struct Resident {
   std::unique_ptr<AirSky> sky;
   bool skyShown = false;
   gl::Buffer block;
-  std::string program;
+  std::array<std::string, 3> programs;  // by BodyPart
+  BodyTiles tiles;
+  std::array<gl::Buffer, 3> corners;
   glm::dvec3 up{0.0, 0.0, 1.0}, sun{1.0, 0.0, 0.0};
 };
 
@@ -70,15 +74,32 @@ struct BodiesPass::State {
   AirQuality quality;
   std::vector<Length> wavelengths;
   gl::Buffer vacuum;  // colours for bodies without air
-  QuadratureBlock viewNodes;
+  QuadratureBlock viewNodes, groundNodes;
   std::map<std::string, std::unique_ptr<AirTables>> airs;
   std::map<std::string, gl::Texture> maps;
   std::map<std::string, Resident> bodies;
   std::map<std::string, gl::Program> programs;
   int tablesBuilt = 0;
+  GLuint vertexArrayId = 0;
+
+  ~State() {
+    if (vertexArrayId) glDeleteVertexArrays(1, &vertexArrayId);
+  }
+  GLuint vertexArray() {
+    if (!vertexArrayId) {
+      glCreateVertexArrays(1, &vertexArrayId);
+      glEnableVertexArrayAttrib(vertexArrayId, 0);
+      glVertexArrayAttribFormat(vertexArrayId, 0, 2, GL_FLOAT, GL_FALSE, 0);
+      glVertexArrayAttribBinding(vertexArrayId, 0, 0);
+    }
+    return vertexArrayId;
+  }
 
   State(ImageSource source, const AirQuality& q)
-      : images(std::move(source)), quality(q), viewNodes(q.viewSamples) {
+      : images(std::move(source)),
+        quality(q),
+        viewNodes(q.viewSamples),
+        groundNodes(q.groundSamples) {
     wavelengths = defaultWavelengths(q.wavelengths);
     auto const block = airBlockOf(nullptr, wavelengths, 1.0 * metre, -0.5, Angle(0.00465), {});
     vacuum.write(std::span<const glm::vec4>(block));
@@ -195,10 +216,6 @@ void BodiesPass::prepare(const PlannedBody& body, const Projection& picture, con
     definitions.emplace_back("NIGHT_MAP", "");
   if (body.lommelSeeliger) definitions.emplace_back("SURFACE_LUNAR", "");
   if (look.illustrative) definitions.emplace_back("ILLUSTRATIVE", "");
-  resident.program = keyOf(definitions);
-  if (!s.programs.count(resident.program))
-    s.programs[resident.program] = gl::Program::fullScreen("passes/body.frag", definitions);
-
   BodyBlock block{};
   glm::dmat3 const scaledFromCamera =
       glm::dmat3(stretch.x, 0, 0, 0, stretch.y, 0, 0, 0, stretch.z) * turn;
@@ -232,6 +249,21 @@ void BodiesPass::prepare(const PlannedBody& body, const Projection& picture, con
                                    Direction<BodyFixed>{glm::normalize(turn * -body.centre.m)});
   block.night = glm::vec4(body.nightLuminance, lunarPhaseFactor(phase), 0.0, 0.0);
   resident.block.write(block);
+
+  resident.tiles = bodyTiles(picture, body.bounds, scaledFromCamera, resident.up, resident.sun,
+                             radius, above, top);
+  constexpr std::array<const char*, 3> flags{"BODY_GROUND", "BODY_SKY", ""};
+  for (std::size_t part = 0; part < 3; ++part) {
+    auto const& tiles = resident.tiles[part];
+    if (tiles.empty()) continue;
+    resident.corners[part].write(std::span<const glm::vec2>(tiles));
+    auto own = definitions;
+    if (*flags[part]) own.emplace_back(flags[part], "");
+    resident.programs[part] = keyOf(own);
+    if (!s.programs.count(resident.programs[part]))
+      s.programs[resident.programs[part]] =
+          gl::Program::render("passes/tiles.vert", "passes/body.frag", own);
+  }
 }
 
 bool BodiesPass::repeatSky(const PlannedBody& body) {
@@ -254,7 +286,6 @@ void BodiesPass::draw(const PlannedBody& body, const Projection& picture, glm::i
   glm::ivec2 const high = glm::min(glm::ivec2(b.x1, b.y1) - tileOrigin, targetSize);
   if (high.x <= low.x || high.y <= low.y) return;
   (void)picture;
-  s.programs.at(resident.program).use();
   if (!resident.air.empty())
     s.airs.at(resident.air)->bind();
   else
@@ -263,7 +294,6 @@ void BodiesPass::draw(const PlannedBody& body, const Projection& picture, glm::i
   if (resident.shadows) resident.shadows->bind();
   if (resident.eclipsed) resident.eclipsed->bind();
   resident.block.bindUniform(2);
-  s.viewNodes.bind();
   if (!body.map.empty()) s.maps.at(body.map).bind(0);
   if (!body.waterMask.empty()) s.maps.at(body.waterMask).bind(1);
   if (!body.nightMap.empty()) s.maps.at(body.nightMap).bind(9);
@@ -271,7 +301,20 @@ void BodiesPass::draw(const PlannedBody& body, const Projection& picture, glm::i
   glScissor(low.x, low.y, high.x - low.x, high.y - low.y);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_SRC1_COLOR);
-  gl::drawFullScreen();
+  glBindVertexArray(s.vertexArray());
+  for (std::size_t part = 0; part < 3; ++part) {
+    auto const count = static_cast<GLsizei>(resident.tiles[part].size());
+    if (!count) continue;
+    (part == 0 ? s.groundNodes : s.viewNodes).bind();
+    glVertexArrayVertexBuffer(s.vertexArray(), 0, resident.corners[part].id(), 0,
+                              sizeof(glm::vec2));
+    s.programs.at(resident.programs[part])
+        .set("tileOrigin", glm::vec2(tileOrigin))
+        .set("targetSize", glm::vec2(targetSize))
+        .use();
+    glDrawArrays(GL_TRIANGLES, 0, count);
+  }
+  glBindVertexArray(0);
   glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);
 }

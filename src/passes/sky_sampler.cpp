@@ -12,6 +12,7 @@
 #include "passes/air_sky.h"
 #include "passes/air_tables.h"
 #include "passes/body_shadows.h"
+#include "passes/body_tiles.h"
 #include "passes/eclipsed_source.h"
 #include "passes/gauss_legendre.h"
 
@@ -68,7 +69,7 @@ std::vector<double> sampleFour(const Medium& medium, const SkyRequest& request,
   bool const useTable = AirSky::serves(tables, request.altitude);
   auto definitions = tables.definitions();
   definitions.insert(definitions.end(), shadowFlags.begin(), shadowFlags.end());
-  for (const char* flag : {"AIR_SINGLE", "AIR_SOURCE", "AIR_CUTS", "ECLIPSED_HARMONICS"})
+  for (const char* flag : {"AIR_SINGLE", "AIR_SOURCE", "ECLIPSED_HARMONICS"})
     definitions.emplace_back(flag, "");
   std::unique_ptr<AirSky> sky;
   if (useTable) {
@@ -78,35 +79,44 @@ std::vector<double> sampleFour(const Medium& medium, const SkyRequest& request,
                 {sin(request.sunZenith), 0.0, cos(request.sunZenith)});
     sky->bind();
   }
-  auto const program = gl::Program::compute("passes/air_probe.comp", definitions);
-  tables.bind();
-  QuadratureBlock const nodes(quality.viewSamples);
-  nodes.bind();
-  std::vector<Probe> probes;
-  std::vector<std::size_t> whose;
-  for (std::size_t i = 0; i < request.directions.size(); ++i)
-    if (auto const probe = probeOf(medium, request, request.directions[i])) {
-      probes.push_back(*probe);
-      whose.push_back(i);
-    }
+  // As pictures are drawn: sunlit ground from outside with the fewer samples.
+  bool const sunlit = !useTable && cos(request.sunZenith) > kSunlitSine;
   std::vector<double> result(request.directions.size() * wavelengths.size(), 0.0);
-  if (probes.empty()) return result;
-  gl::Buffer in, out;
-  in.write(std::span<const Probe>(probes));
-  std::vector<glm::vec4> radiances(probes.size() * static_cast<std::size_t>(tables.layers()));
-  out.write(std::span<const glm::vec4>(radiances));
-  in.bindStorage(0);
-  out.bindStorage(1);
-  program.use();
-  glDispatchCompute(static_cast<GLuint>((probes.size() + 31) / 32), 1, 1);
-  glMemoryBarrier(GL_ALL_BARRIER_BITS);
-  glGetNamedBufferSubData(
-      out.id(), 0, static_cast<GLsizeiptr>(radiances.size() * sizeof(glm::vec4)), radiances.data());
-  for (std::size_t p = 0; p < probes.size(); ++p)
-    for (std::size_t w = 0; w < wavelengths.size(); ++w)
-      result[whose[p] * wavelengths.size() + w] =
-          static_cast<double>(radiances[p * static_cast<std::size_t>(tables.layers()) + w / 4]
-                                       [static_cast<int>(w % 4)]);
+  for (bool const ground : {false, true}) {
+    std::vector<Probe> probes;
+    std::vector<std::size_t> whose;
+    for (std::size_t i = 0; i < request.directions.size(); ++i)
+      if (auto const probe = probeOf(medium, request, request.directions[i])) {
+        bool const meets = sunlit && probe->ray.y < 0.0f && probe->start.w > 0.0f;
+        if (meets != ground) continue;
+        probes.push_back(*probe);
+        whose.push_back(i);
+      }
+    if (probes.empty()) continue;
+    auto own = definitions;
+    own.emplace_back(ground ? "BODY_GROUND" : "AIR_CUTS", "");
+    auto const program = gl::Program::compute("passes/air_probe.comp", own);
+    tables.bind();
+    QuadratureBlock const nodes(ground ? quality.groundSamples : quality.viewSamples);
+    nodes.bind();
+    gl::Buffer in, out;
+    in.write(std::span<const Probe>(probes));
+    std::vector<glm::vec4> radiances(probes.size() * static_cast<std::size_t>(tables.layers()));
+    out.write(std::span<const glm::vec4>(radiances));
+    in.bindStorage(0);
+    out.bindStorage(1);
+    program.use();
+    glDispatchCompute(static_cast<GLuint>((probes.size() + 31) / 32), 1, 1);
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    glGetNamedBufferSubData(out.id(), 0,
+                            static_cast<GLsizeiptr>(radiances.size() * sizeof(glm::vec4)),
+                            radiances.data());
+    for (std::size_t p = 0; p < probes.size(); ++p)
+      for (std::size_t w = 0; w < wavelengths.size(); ++w)
+        result[whose[p] * wavelengths.size() + w] =
+            static_cast<double>(radiances[p * static_cast<std::size_t>(tables.layers()) + w / 4]
+                                         [static_cast<int>(w % 4)]);
+  }
   return result;
 }
 

@@ -1,0 +1,30 @@
+// Which parts of a picture show a body's ground alone, its air alone, both, or nothing of it: the
+// picture is cut into tiles, and each is classed by the cone of its directions about the body's
+// centre in scaled space. Conservative: a tile of one class holds no pixel of another. Nothing is
+// drawn where nothing can be seen, and no pixel pays for the part it does not show.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "view/projection.h"
+
+namespace antumbra {
+
+// Ground: with the Sun more than 7 degrees high everywhere.
+enum class BodyPart { Ground, Air, Both };
+// The Sun's height below which ground is not classed as such: its air wants more samples.
+inline constexpr double kSunlitSine = 0.12;
+
+// Rectangles of each part, in pixels of the picture, as corners of triangles.
+using BodyTiles = std::array<std::vector<glm::vec2>, 3>;
+
+// `scaledFromCamera` turns camera axes into scaled space; `up` is the unit vector from the centre
+// to the camera there, `sun` that to the Sun, `height` the camera's above the ground (positive),
+// `reach` that of the air's top, 0 without air. Lengths in metres.
+BodyTiles bodyTiles(const Projection& picture, const PixelBounds& bounds,
+                    const glm::dmat3& scaledFromCamera, const glm::dvec3& up, const glm::dvec3& sun,
+                    double radius, double height, double reach);
+
+}  // namespace antumbra
