@@ -116,7 +116,8 @@ void addRenderCommand(CLI::App& program) {
                       "Picture file, .png (sRGB) or .exr (absolute luminance); may be given twice; "
                       "%02d takes the frame's number");
   command->add_option("--time", options->overrides.time,
-                      "Instant, as 2027-08-02T10:05:06Z, instead of the scene's");
+                      "Instant instead of the scene's: 2027-08-02T10:05:06Z, or a contact, as "
+                      "\"C2 2027-08-02 @25.687,32.640\"");
   command->add_option("--size", options->overrides.size, "WIDTHxHEIGHT, as 2048x2048");
   command->add_option("--projection", options->overrides.projection,
                       "perspective, fisheye or equirectangular");

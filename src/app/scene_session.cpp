@@ -8,6 +8,7 @@
 
 #include "document/document.h"
 #include "document/paths.h"
+#include "eclipse/contact_instant.h"
 
 namespace antumbra {
 
@@ -70,7 +71,14 @@ SceneSession::SceneSession(const std::string& file, const SceneOverrides& o)
     scene_.display.illustrative = o.look == "illustrative";
   }
   scene_.picture.check(o.size.empty() ? scene_.file + ": [picture]" : "--size");
-  start_ = parseInstant(scene_.time, scene_.timeWhere, deltaT_);
+  if (looksLikeContact(scene_.time)) {
+    EclipseBasis basis;
+    basis.convention = ShadowConvention::named(scene_.shadows.convention, scene_.file);
+    if (o.deltaTSeconds) basis.deltaT = *o.deltaTSeconds * second;
+    start_ = contactInstant(scene_.time, basis, scene_.timeWhere);
+  } else {
+    start_ = parseInstant(scene_.time, scene_.timeWhere, deltaT_);
+  }
 }
 
 SceneSession::Moment SceneSession::at(int frame) const {

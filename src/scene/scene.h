@@ -1,7 +1,7 @@
 // A scene: when, from where, towards what, and how it is to look. Read from configs/scenes/*.toml.
 //
 //   title = "…"
-//   time = "2027-08-02T10:06:50Z"            # anything parseInstant takes
+//   time = "2027-08-02T10:06:50Z"            # or a contact: "C2 2027-08-02 @25.687,32.640"
 //   bodies = ["Sun", "Earth", "Moon"]        # optional; default: every catalogued body
 //   [camera]
 //   body = "Earth"                           # whose surface the place is given on

@@ -60,6 +60,15 @@ class CommandLine(unittest.TestCase):
         a, b = ((self.path / n).read_bytes() for n in ("a.exr", "b.exr"))
         self.assertEqual(a[-4096:], b[-4096:])
 
+    def test_takes_contacts_as_instants(self):
+        scene = self.scene("s.toml")
+        result = run("render", scene, "--time", "max 2027-08-02 @25.687,32.640,76", "--explain")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("Moon on Earth", result.stdout)
+        self.refused(["render", scene, "--time", "C2 2027-08-03 @25.687,32.640", "--explain"],
+                     "--time", "2027-08-02")
+        self.refused(["render", scene, "--time", "C2 2027-08-02 @60,-100", "--explain"], "--time")
+
     def test_refuses_bad_scenes(self):
         out = str(self.path / "a.png")
         self.refused(["render", str(self.path / "none.toml"), "-o", out], "none.toml")
@@ -73,9 +82,9 @@ class CommandLine(unittest.TestCase):
                      "inside Earth")
         self.refused(["render", self.scene("s.toml", ('"zenith"', '"Vulcan"')), "-o", out],
                      "Vulcan", "Mercury")
-        self.refused(["render", self.scene("s.toml", ("2027-08-02T", "2027-13-02T")), "-o", out],
+        self.refused(["render", self.scene("s.toml", ("max 2027-08-02 @25.687,32.640,76", "2027-13-02T00:00:00Z")), "-o", out],
                      "s.toml:")
-        self.refused(["render", self.scene("s.toml", ("2027-08-02T", "9999-08-02T")), "-o", out],
+        self.refused(["render", self.scene("s.toml", ("max 2027-08-02 @25.687,32.640,76", "9999-08-02T00:00:00Z")), "-o", out],
                      "3000")
 
     def test_refuses_bad_options(self):
