@@ -43,7 +43,8 @@ class Window(unittest.TestCase):
     def test_mouse_and_keys_move_camera_and_clock(self):
         program = subprocess.Popen(
             [PROGRAM, "view", "configs/scenes/luxor_dome.toml", "--size", "160x120",
-             "--projection", "perspective", "--quality", "draft"],
+             "--projection", "perspective", "--quality", "draft",
+             "--time", "2027-08-02T10:05:06Z"],
             env=self.environment, stdout=subprocess.PIPE, text=True)
         self.addCleanup(program.kill)
         deadline = time.monotonic() + STARTED
