@@ -21,6 +21,10 @@ constexpr double kRouletteWeight = 0.02;
 constexpr double kGuidedVertices = 0.5, kGuidedDirections = 0.3;
 // Beyond a few orders the products of the weights would spread.
 constexpr int kGuidedOrders = 3;
+// Of the later vertices in twilight, this share is drawn from the sunlit part of the leg alone.
+constexpr double kGuidedLight = 0.5;
+// Sunlight counts as gone where it has grazed air of this optical depth.
+constexpr double kGrazingDepth = 3.0;
 // As long, no path may leave the air: it is scattered, with the weight of its probability.
 constexpr int kForcedOrders = 4;
 constexpr double kGuideG = 0.6, kGuideRise = 0.15, kGuideBelowSunCosine = 0.1;
@@ -122,7 +126,14 @@ PathTracer::PathTracer(const Medium& medium, const Sunlight& sun, Length wavelen
     : air_(medium, wavelength, groundRadius),
       sun_(sun),
       shadow_(sun, wavelength),
-      disc_(sun.law, wavelength) {}
+      disc_(sun.law, wavelength) {
+  double low = air_.ground(), high = air_.top();
+  for (int i = 0; i < 40; ++i) {
+    double const middle = 0.5 * (low + high);
+    (2.0 * air_.depthToTop(middle, 0.0) > kGrazingDepth ? low : high) = middle;
+  }
+  twilightRadius_ = low;
+}
 
 double PathTracer::directLight(const glm::dvec3& x, double radius, const glm::dvec3& toSun) const {
   double const depth = air_.depthToSpace(x, radius, toSun);
@@ -165,12 +176,26 @@ double PathTracer::distanceAtDepth(const AirRay& ray, double enter, double leave
   return s;
 }
 
+double PathTracer::sunlitFrom(const glm::dvec3& start, const glm::dvec3& direction,
+                              const SpectralMedium::Span& span) const {
+  glm::dvec3 const toSun = sun_.toSun.u;
+  double const along = glm::dot(start, toSun), gain = glm::dot(direction, toSun);
+  glm::dvec3 const p = start - along * toSun, d = direction - gain * toSun;
+  double const a = glm::dot(d, d), b = glm::dot(p, d);
+  double const c = glm::dot(p, p) - twilightRadius_ * twilightRadius_;
+  if (c >= 0.0 || along >= 0.0 || !(a > 0.0)) return span.enter;
+  // Out of the cylinder of shadow, or past the terminator's plane.
+  double const out = (-b + std::sqrt(std::max(0.0, b * b - a * c))) / a;
+  return gain > 0.0 ? std::min(out, -along / gain) : out;
+}
+
 double PathTracer::pathLight(const FirstLeg& leg, double first, Random& random,
                              int maxOrders) const {
   if (!leg.inAir) return 0.0;
   glm::dvec3 start = leg.start, direction = leg.direction;
   double weight = 1.0, light = 0.0;
   double each[kMaxConstituents];
+  bool sunLow = false;  // at the last vertex
   for (int order = 1; maxOrders == 0 || order <= maxOrders; ++order) {
     AirRay const ray = order == 1 ? leg.ray : AirRay(start, direction);
     SpectralMedium::Span span = leg.span;
@@ -215,6 +240,24 @@ double PathTracer::pathLight(const FirstLeg& leg, double first, Random& random,
         s = leg.edges[bin - 1] + std::clamp(t, 0.0, 1.0) * (leg.edges[bin] - leg.edges[bin - 1]);
       } else {
         if (guided) u = (u - kGuidedVertices) / (1.0 - kGuidedVertices);
+        double unlit = 0.0;  // share of the collisions before the leg comes into sunlight
+        if (order > 1 && order <= kGuidedOrders + 1 && sunLow) {
+          double const lit = sunlitFrom(start, direction, span);
+          if (lit > span.enter && lit < span.leave)
+            unlit = -std::expm1(-air_.depthBetween(ray, span.enter, lit)) / scattered;
+        }
+        if (unlit > 0.0 && unlit < 1.0) {
+          // Mixture of all collisions and of those in the light; the weight is one over its density
+          // relative to that of all.
+          double const lightShare = 1.0 - unlit;
+          if (u < kGuidedLight) {
+            u = unlit + lightShare * (u / kGuidedLight);
+          } else {
+            u = (u - kGuidedLight) / (1.0 - kGuidedLight);
+          }
+          u = std::min(u, 1.0 - 1e-16);
+          weight /= 1.0 - kGuidedLight + (u >= unlit ? kGuidedLight / lightShare : 0.0);
+        }
         s = distanceAtDepth(ray, span.enter, span.leave, -std::log1p(-u * scattered));
         if (guided) {
           auto const after = std::upper_bound(leg.edges.begin() + 1, leg.edges.end() - 1, s);
@@ -247,6 +290,7 @@ double PathTracer::pathLight(const FirstLeg& leg, double first, Random& random,
       // The next direction.
       glm::dvec3 const up = start / radius;
       double const sunCosine = glm::dot(up, sun_.toSun.u);
+      sunLow = sunCosine < 0.0;
       bool const low =
           order <= kGuidedOrders && sunCosine < kGuideBelowSunCosine && sunCosine > -0.9;
       glm::dvec3 guideAxis(0.0);
@@ -286,6 +330,7 @@ double PathTracer::pathLight(const FirstLeg& leg, double first, Random& random,
       double const cosine = glm::dot(normal, toSun);
       if (cosine > 0.0)
         light += weight * sunWeight * cosine / kPi * directLight(start, air_.ground(), toSun);
+      sunLow = cosine < 0.0;
       direction = glm::normalize(around(normal, std::sqrt(random()), 2.0 * kPi * random()));
     }
     while (weight < kRouletteWeight) {

@@ -6,8 +6,8 @@
 // share of the disc that occulters leave). Unbiased but for the tabulated optical depths (4e-5) and
 // no refraction, no polarisation. Variance is lowered by forced scattering on rays that leave the
 // air, a first leg drawn half by collision and half by where single scattering comes from,
-// directions drawn in part towards the bright horizon of twilight, stratified first legs, and
-// Russian roulette.
+// directions drawn in part towards the bright horizon of twilight, later vertices in part from
+// sunlit stretches, stratified first legs, and Russian roulette.
 //
 // Reproducible: the estimate depends on the seed and the settings, not on the number of threads.
 #pragma once
@@ -55,6 +55,10 @@ class PathTracer {
   double pathLight(const FirstLeg& leg, double first, Random& random, int maxOrders) const;
   double directLight(const glm::dvec3& x, double radius, const glm::dvec3& toSun) const;
   glm::dvec3 drawSun(Random& random, double& weight) const;
+  // The distance along a ray at which it leaves the shadow of the body and its dense air; the
+  // beginning of the span where it starts outside.
+  double sunlitFrom(const glm::dvec3& start, const glm::dvec3& direction,
+                    const SpectralMedium::Span& span) const;
   // The distance along a ray at which the optical depth from `enter` reaches `depth`.
   double distanceAtDepth(const AirRay& ray, double enter, double leave, double depth) const;
   Estimate average(const std::function<double(Random&, double)>& path,
@@ -64,6 +68,7 @@ class PathTracer {
   Sunlight sun_;
   SunShadow shadow_;
   DiscProfile disc_;
+  double twilightRadius_;  // below it, grazing sunlight is lost
 };
 
 }  // namespace antumbra
