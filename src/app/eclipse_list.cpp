@@ -133,8 +133,8 @@ void list(const Options& options) {
 void addEclipseList(CLI::App& eclipse) {
   auto* const command = eclipse.add_subcommand("list", "every eclipse in a span of years");
   auto options = std::make_shared<Options>();
-  command->add_option("--kind", options->kind, "solar, lunar, transit or jovian")
-      ->check(CLI::IsMember({"solar", "lunar", "transit", "jovian"}))
+  command->add_option("--kind", options->kind, "solar, lunar or transit")
+      ->check(CLI::IsMember({"solar", "lunar", "transit"}))
       ->capture_default_str();
   command->add_option("--from", options->from, "first year (astronomical: 0 is 1 BC)")->required();
   command->add_option("--to", options->to, "last year, inclusive")->required();

@@ -3,7 +3,7 @@
 // thousands of times.
 //
 // Apparent places (light time and aberration of an observer at the geocentre) as Chebyshev
-// polynomials of degree 10 through the ephemeris; over eight hours they stay within 1 m of it
+// polynomials of degree 6 through the ephemeris; over eight hours they stay within 1 m of it
 // (tests/eclipse). Axes are those of the Earth: the celestial pole is held fixed at the middle of
 // the span (it moves by 0.03", 1 m, in four hours) and the Earth turns at its rate in the
 // non-rotating origin, IERS Conventions 2010, equation 5.15.
@@ -44,7 +44,7 @@ class SunMoonTrack {
   glsl::ShadowPair shadowAt(double seconds, const ShadowRadii& radii) const;
 
  private:
-  static constexpr int kNodes = 11;
+  static constexpr int kNodes = 7;
   Instant middle_;
   Duration halfSpan_, deltaT_;
   double siderealTime_ = 0.0;
