@@ -20,7 +20,7 @@ AirQuality AirQuality::read(const Table& table) {
   AirQuality q;
   q.wavelengths = within(table, "wavelengths", q.wavelengths, 4, 40);
   if (q.wavelengths % 4) table.fail("wavelengths", "allowed: a multiple of 4");
-  q.orders = within(table, "orders", q.orders, 1, 100);
+  q.orders = within(table, "orders", q.orders, 0, 100);
   q.depthWidth = within(table, "depth_width", q.depthWidth, 16, 2048);
   q.depthHeight = within(table, "depth_height", q.depthHeight, 8, 1024);
   q.sourceWidth = within(table, "source_width", q.sourceWidth, 16, 1024);

@@ -8,8 +8,8 @@
 namespace antumbra {
 
 struct AirQuality {
-  int wavelengths = 4;        // a multiple of 4
-  int orders = 5;             // of scattering in the source table; the rest as a geometric series
+  int wavelengths = 4;  // a multiple of 4
+  int orders = 5;       // in the source table, the rest as a geometric series; 0: single scattering
   int depthWidth = 256;       // texels of the optical depth over zenith angle
   int depthHeight = 64;       // and over height
   int sourceWidth = 96;       // texels of the source over the Sun's zenith angle

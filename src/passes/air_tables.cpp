@@ -232,6 +232,10 @@ void AirTables::buildSource() {
   source_ = gl::Texture::layers(GL_RGBA32F, width, height, kMoments * layers_);
   auto const previous = gl::Texture::layers(GL_RGBA32F, width, height, kMoments * layers_);
   auto const radiances = gl::Texture::layers(GL_RGBA32F, width, height, directions * layers_);
+  if (quality_.orders == 0) {  // sunlight scattered once alone: no source
+    glClearTexImage(source_.id(), 0, GL_RGBA, GL_FLOAT, nullptr);
+    return;
+  }
   auto with = [&](const char* flag) {
     auto d = definitions_;
     d.emplace_back(flag, "");

@@ -1,7 +1,7 @@
 // The shadows on one body: for each caster the pair's geometry and a table of the limb-darkened
 // Sun's visible light between its cones, for the wavelengths of the body's air.
 // The table replaces the closed form per sample: 256 places between the cones by 9 along the axis;
-// relative error against it below 2e-3 (tests/passes/body_shadows_gl_test.cpp). Several casters
+// relative error against it below 3e-3 (tests/passes/body_shadows_gl_test.cpp). Several casters
 // multiply: where their discs overlap before the Sun too much light is lost.
 #pragma once
 

@@ -1,6 +1,7 @@
 // Which parts of a picture show a body's ground alone, its air alone, both, or nothing of it: the
 // picture is cut into tiles, and each is classed by the cone of its directions about the body's
-// centre in scaled space. Conservative: a tile of one class holds no pixel of another. Nothing is
+// centre in scaled space. Conservative: a tile of ground holds
+// ground alone, a tile of air no ground. Nothing is
 // drawn where nothing can be seen, and no pixel pays for the part it does not show.
 #pragma once
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -47,94 +48,126 @@ std::optional<Probe> probeOf(const Medium& medium, const SkyRequest& request,
                glm::vec4(glm::vec3(direction), 0.0f)};
 }
 
-std::vector<double> sampleFour(const Medium& medium, const SkyRequest& request,
-                               const AirQuality& quality, const std::vector<Length>& wavelengths) {
-  AirTables const tables(medium, medium.radius, wavelengths, quality, request.sunRadius);
-  std::unique_ptr<BodyShadows> shadows;
-  if (!request.casters.empty())
-    shadows = std::make_unique<BodyShadows>(request.casters, 1.0, request.law, tables.wavelengths(),
-                                            medium.topRadius());
-  gl::Definitions shadowFlags;
-  std::unique_ptr<EclipsedSource> eclipsed;
-  if (shadows) {
-    shadowFlags = shadows->definitions();
-    auto const more = EclipsedSource::definitions();
-    shadowFlags.insert(shadowFlags.end(), more.begin(), more.end());
-    eclipsed = std::make_unique<EclipsedSource>(tables, *shadows);
-    eclipsed->update(tables, *shadows, request.casters.front(),
-                     {sin(request.sunZenith), 0.0, cos(request.sunZenith)});
-    shadows->bind();
-    eclipsed->bind();
-  }
-  bool const useTable = AirSky::serves(tables, request.altitude);
-  auto definitions = tables.definitions();
-  definitions.insert(definitions.end(), shadowFlags.begin(), shadowFlags.end());
-  for (const char* flag : {"AIR_SINGLE", "AIR_SOURCE", "ECLIPSED_HARMONICS"})
-    definitions.emplace_back(flag, "");
-  std::unique_ptr<AirSky> sky;
-  if (useTable) {
-    definitions.emplace_back("AIR_SKY", "");
-    sky = std::make_unique<AirSky>(tables, shadowFlags);
-    sky->update(tables, request.altitude, {0.0, 0.0, 1.0},
-                {sin(request.sunZenith), 0.0, cos(request.sunZenith)});
-    sky->bind();
-  }
-  // As pictures are drawn: sunlit ground from outside with the fewer samples.
-  bool const sunlit = !useTable && cos(request.sunZenith) > kSunlitSine;
-  std::vector<double> result(request.directions.size() * wavelengths.size(), 0.0);
-  for (bool const ground : {false, true}) {
-    std::vector<Probe> probes;
-    std::vector<std::size_t> whose;
-    for (std::size_t i = 0; i < request.directions.size(); ++i)
-      if (auto const probe = probeOf(medium, request, request.directions[i])) {
-        bool const meets = sunlit && probe->ray.y < 0.0f && probe->start.w > 0.0f;
-        if (meets != ground) continue;
-        probes.push_back(*probe);
-        whose.push_back(i);
-      }
-    if (probes.empty()) continue;
-    auto own = definitions;
-    own.emplace_back(ground ? "BODY_GROUND" : "AIR_CUTS", "");
-    auto const program = gl::Program::compute("passes/air_probe.comp", own);
+}  // namespace
+
+// Four wavelengths' tables, and the programs that read them.
+struct SkyTables {
+  AirTables tables;
+  std::map<std::string, gl::Program> programs;
+  std::map<std::size_t, AirSky> skies;  // by number of casters
+
+  SkyTables(const Medium& medium, const std::vector<Length>& wavelengths, const AirQuality& quality,
+            Angle sunRadius)
+      : tables(medium, medium.radius, wavelengths, quality, sunRadius) {}
+
+  std::vector<glm::vec4> run(const std::vector<Probe>& probes, const gl::Definitions& definitions,
+                             int samples) {
+    std::string key;
+    for (auto const& [name, value] : definitions) key += name + "=" + value + ";";
+    auto found = programs.find(key);
+    if (found == programs.end())
+      found =
+          programs.emplace(key, gl::Program::compute("passes/air_probe.comp", definitions)).first;
     tables.bind();
-    QuadratureBlock const nodes(ground ? quality.groundSamples : quality.viewSamples);
+    QuadratureBlock const nodes(samples);
     nodes.bind();
     gl::Buffer in, out;
     in.write(std::span<const Probe>(probes));
-    std::vector<glm::vec4> radiances(probes.size() * static_cast<std::size_t>(tables.layers()));
+    std::vector<glm::vec4> radiances(probes.size());
     out.write(std::span<const glm::vec4>(radiances));
     in.bindStorage(0);
     out.bindStorage(1);
-    program.use();
+    found->second.use();
     glDispatchCompute(static_cast<GLuint>((probes.size() + 31) / 32), 1, 1);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     glGetNamedBufferSubData(out.id(), 0,
                             static_cast<GLsizeiptr>(radiances.size() * sizeof(glm::vec4)),
                             radiances.data());
-    for (std::size_t p = 0; p < probes.size(); ++p)
-      for (std::size_t w = 0; w < wavelengths.size(); ++w)
-        result[whose[p] * wavelengths.size() + w] =
-            static_cast<double>(radiances[p * static_cast<std::size_t>(tables.layers()) + w / 4]
-                                         [static_cast<int>(w % 4)]);
+    return radiances;
+  }
+};
+
+struct SkySampler::State {
+  Medium medium;
+  AirQuality quality;
+  std::size_t count;
+  std::vector<std::unique_ptr<SkyTables>> fours;
+};
+
+SkySampler::SkySampler(const Medium& medium, const std::vector<Length>& wavelengths,
+                       const AirQuality& quality, Angle sunRadius)
+    : state_(new State{medium, quality, wavelengths.size(), {}}) {
+  for (std::size_t first = 0; first < wavelengths.size(); first += 4) {
+    auto const begin = wavelengths.begin() + static_cast<std::ptrdiff_t>(first);
+    auto const size = std::min<std::size_t>(4, wavelengths.size() - first);
+    state_->fours.push_back(std::make_unique<SkyTables>(
+        medium, std::vector<Length>(begin, begin + static_cast<std::ptrdiff_t>(size)), quality,
+        sunRadius));
+  }
+}
+SkySampler::~SkySampler() = default;
+
+std::vector<double> SkySampler::sample(const SkyRequest& request) {
+  auto& s = *state_;
+  std::vector<double> result(request.directions.size() * s.count, 0.0);
+  glm::dvec3 const sun(sin(request.sunZenith), 0.0, cos(request.sunZenith));
+  for (std::size_t four = 0; four < s.fours.size(); ++four) {
+    auto& own = *s.fours[four];
+    auto& tables = own.tables;
+    gl::Definitions shadowFlags;
+    std::unique_ptr<BodyShadows> shadows;
+    std::unique_ptr<EclipsedSource> eclipsed;
+    if (!request.casters.empty()) {
+      shadows = std::make_unique<BodyShadows>(request.casters, 1.0, request.law,
+                                              tables.wavelengths(), s.medium.topRadius());
+      eclipsed = std::make_unique<EclipsedSource>(tables, *shadows);
+      eclipsed->update(tables, *shadows, request.casters.front(), sun);
+      shadowFlags = shadows->definitions();
+      auto const more = EclipsedSource::definitions();
+      shadowFlags.insert(shadowFlags.end(), more.begin(), more.end());
+      shadows->bind();
+      eclipsed->bind();
+    }
+    auto definitions = tables.definitions();
+    definitions.insert(definitions.end(), shadowFlags.begin(), shadowFlags.end());
+    for (const char* flag : {"AIR_SINGLE", "AIR_SOURCE", "ECLIPSED_HARMONICS"})
+      definitions.emplace_back(flag, "");
+    bool const useTable = AirSky::serves(tables, request.altitude);
+    if (useTable) {
+      definitions.emplace_back("AIR_SKY", "");
+      auto const sky = own.skies.try_emplace(request.casters.size(), tables, shadowFlags).first;
+      sky->second.update(tables, request.altitude, {0.0, 0.0, 1.0}, sun);
+      sky->second.bind();
+    }
+    // As pictures are drawn: sunlit ground from outside with the fewer samples.
+    bool const sunlit = !useTable && cos(request.sunZenith) > kSunlitSine;
+    for (bool const ground : {false, true}) {
+      std::vector<Probe> probes;
+      std::vector<std::size_t> whose;
+      for (std::size_t i = 0; i < request.directions.size(); ++i)
+        if (auto const probe = probeOf(s.medium, request, request.directions[i])) {
+          bool const meets = sunlit && probe->ray.y < 0.0f && probe->start.w > 0.0f;
+          if (meets != ground) continue;
+          probes.push_back(*probe);
+          whose.push_back(i);
+        }
+      if (probes.empty()) continue;
+      auto flags = definitions;
+      flags.emplace_back(ground ? "BODY_GROUND" : "AIR_CUTS", "");
+      auto const radiances =
+          own.run(probes, flags, ground ? s.quality.groundSamples : s.quality.viewSamples);
+      for (std::size_t p = 0; p < probes.size(); ++p)
+        for (std::size_t w = 4 * four; w < std::min(4 * four + 4, s.count); ++w)
+          result[whose[p] * s.count + w] =
+              static_cast<double>(radiances[p][static_cast<int>(w % 4)]);
+    }
   }
   return result;
 }
 
-}  // namespace
-
 std::vector<double> sampleSky(const Medium& medium, const SkyRequest& request,
                               const AirQuality& quality) {
-  std::size_t const count = request.wavelengths.size();
-  std::vector<double> result(request.directions.size() * count);
-  for (std::size_t first = 0; first < count; first += 4) {
-    std::size_t const size = std::min<std::size_t>(4, count - first);
-    auto const begin = request.wavelengths.begin() + static_cast<std::ptrdiff_t>(first);
-    std::vector<Length> const four(begin, begin + static_cast<std::ptrdiff_t>(size));
-    auto const part = sampleFour(medium, request, quality, four);
-    for (std::size_t d = 0; d < request.directions.size(); ++d)
-      for (std::size_t w = 0; w < size; ++w) result[d * count + first + w] = part[d * size + w];
-  }
-  return result;
+  return SkySampler(medium, request.wavelengths, quality, request.sunRadius).sample(request);
 }
 
 std::vector<SkyIrradiance> sampleSkyIrradiance(const Medium& medium, const SkyRequest& request,

@@ -2,6 +2,7 @@
 // tables computed for the wavelengths asked for.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "eclipse/limb_darkening.h"
@@ -27,6 +28,22 @@ struct SkyRequest {
   // azimuth.
   std::vector<glsl::ShadowPair> casters;
   LimbDarkeningLaw law = LimbDarkeningLaw::Hestroffer;
+};
+
+// Tables for a medium and a list of wavelengths, kept for many requests. Needs a context.
+class SkySampler {
+ public:
+  SkySampler(const Medium& medium, const std::vector<Length>& wavelengths,
+             const AirQuality& quality, Angle sunRadius = Angle(0.0));
+  ~SkySampler();
+  SkySampler(const SkySampler&) = delete;
+  SkySampler& operator=(const SkySampler&) = delete;
+  // As sampleSky; the request's wavelengths and solar radius are those of the sampler.
+  std::vector<double> sample(const SkyRequest& request);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
 };
 
 // L/E0 in 1/sr, without the solar disc: directions in the order given, wavelengths innermost. E0 is

@@ -1,0 +1,70 @@
+// The table of the Sun's visible light between a shadow's cones, as the programs read it, against
+// the closed form in double precision.
+#include "passes/body_shadows.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "quantity/constants.h"
+#include "tests/support/gl_fixture.h"
+
+namespace antumbra {
+namespace {
+
+using BodyShadowsGlTest = testsupport::GlTest;
+
+// A total and an annular shadow on a sphere of the Earth's size.
+TEST_F(BodyShadowsGlTest, TableFollowsTheClosedForm) {
+  std::array<Length, 4> const four{440.0 * nanometre, 500.0 * nanometre, 550.0 * nanometre,
+                                   680.0 * nanometre};
+  auto const law = limbDarkening(LimbDarkeningLaw::Hestroffer, four);
+  for (double moonDistance : {3.6e8, 4.0e8}) {
+    glm::dvec3 const toSun = glm::normalize(glm::dvec3(0.8, 0.1, 0.59));
+    glm::dvec3 const foot(0.0, 2.0e6, 1.0e6);
+    auto const pair =
+        shadowPairMetres(foot + toSun * astronomicalUnit.si, foot + toSun * moonDistance,
+                         {kSolarRadiusIau, 1737.4 * kilometre, 1737.4 * kilometre});
+    BodyShadows const shadows({pair}, 1.0, LimbDarkeningLaw::Hestroffer, {four.begin(), four.end()},
+                              Length(6.5e6));
+    auto const probe = gl::Program::compute("bench/shadow_probe.comp",
+                                            {{"SHADOW_PAIRS", "1"}, {"AIR_LAYERS", "1"}});
+    std::vector<glm::vec4> places;
+    glm::dvec3 const side = glm::normalize(glm::cross(pair.axis, glm::dvec3(0.0, 0.0, 1.0)));
+    for (double along : {-6e6, -2.3e6, 0.0, 4e6}) {
+      double const umbra = pair.umbraRadius - along * pair.umbraTangent;
+      double const penumbra = pair.penumbraRadius + along * pair.penumbraTangent;
+      double const inner = std::max(umbra, 0.0);
+      for (double x : {0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 0.9, 0.97}) {
+        double const distance = inner + x * x * (penumbra - inner);
+        places.emplace_back(glm::vec3(pair.foot + pair.axis * along + side * distance), 0.0f);
+      }
+    }
+    gl::Buffer in, out;
+    in.write(std::span<const glm::vec4>(places));
+    std::vector<glm::vec4> light(places.size());
+    out.write(std::span<const glm::vec4>(light));
+    in.bindStorage(0);
+    out.bindStorage(1);
+    shadows.bind();
+    probe.use();
+    glDispatchCompute(static_cast<GLuint>((places.size() + 31) / 32), 1, 1);
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    glGetNamedBufferSubData(out.id(), 0, static_cast<GLsizeiptr>(light.size() * sizeof(glm::vec4)),
+                            light.data());
+    double worst = 0.0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      auto const expected = glsl::visibleSunlight(pair, law, glm::dvec3(places[i]));
+      for (int k = 0; k < 4; ++k)
+        worst = std::max(worst, std::fabs(static_cast<double>(light[i][k]) / expected[k] - 1.0));
+    }
+    std::printf("Moon at %.0f km: within %.2e of the light\n", moonDistance * 1e-3, worst);
+    // The error of the table's linear steps where the law's exponent bends it, at the umbra's edge.
+    EXPECT_LT(worst, 5e-3);
+  }
+}
+
+}  // namespace
+}  // namespace antumbra
