@@ -20,8 +20,8 @@ namespace {
 
 struct Options {
   std::string medium, altitudeKm = "0", sunZenith, directions, wavelengths, method = "reference",
-                      sun = "point", albedo, units = "relative", seed = "1", error = "0.5%",
-                      format = "csv", occulter, limbDarkening = "hestroffer";
+                      sun = "point", albedo, units = "relative", seed = "1", sunDistanceAu = "1",
+                      error = "0.5%", format = "csv", occulter, limbDarkening = "hestroffer";
   bool irradiance = false, luminance = false;
 };
 
@@ -171,8 +171,9 @@ void showProgress(double share) {
 }
 
 void printLuminance(const SkyRequest& request, const SkyAnswer& answer,
-                    const std::vector<ViewDirection>& views) {
-  auto const weights = linearSrgbWeights(request.wavelengths);
+                    const std::vector<ViewDirection>& views, double sunlight) {
+  auto weights = linearSrgbWeights(request.wavelengths);
+  for (auto& weight : weights) weight *= sunlight;
   size_t const n = weights.size();
   auto const xyzOf = [&](auto const& value) {
     glm::dvec3 rgb(0.0);
@@ -197,10 +198,10 @@ void printLuminance(const SkyRequest& request, const SkyAnswer& answer,
 }
 
 void printSpectral(const SkyRequest& request, const SkyAnswer& answer,
-                   const std::vector<ViewDirection>& views, bool si) {
+                   const std::vector<ViewDirection>& views, bool si, double sunlight) {
   size_t const n = request.wavelengths.size();
   std::vector<double> scale;
-  for (Length w : request.wavelengths) scale.push_back(si ? solarIrradiance(w) : 1.0);
+  for (Length w : request.wavelengths) scale.push_back(si ? sunlight * solarIrradiance(w) : 1.0);
   auto const nm = [&](size_t w) { return request.wavelengths[w] / nanometre; };
   if (request.irradiance) {
     fmt::print("wavelength_nm,direct,diffuse\n");
@@ -272,14 +273,18 @@ void runSky(const Options& options) {
         "--directions: found with --irradiance, which has none; allowed: one of the two");
   }
 
+  // Of the Sun at 1 au.
+  double const sunlight =
+      std::pow(within(options.sunDistanceAu, "--sun-distance-au", 0.01, 1000.0), -2.0);
+
   SkyProgress progress;
   if (isatty(STDERR_FILENO)) progress = showProgress;
   SkyAnswer const answer = skyMethods().at(options.method)(request, progress);
   if (progress) progress(1.0);
   if (options.luminance)
-    printLuminance(request, answer, views);
+    printLuminance(request, answer, views, sunlight);
   else
-    printSpectral(request, answer, views, options.units == "SI");
+    printSpectral(request, answer, views, options.units == "SI", sunlight);
 }
 
 }  // namespace
@@ -308,6 +313,8 @@ void addSkyCommand(CLI::App& program) {
   sky->add_option("--albedo", options->albedo, "of the ground, instead of the medium's");
   sky->add_option("--units", options->units,
                   "relative (radiance over the Sun's irradiance, 1/sr) or SI (W m-2 sr-1 nm-1)");
+  sky->add_option("--sun-distance-au", options->sunDistanceAu,
+                  "of the medium's body, for SI units and luminance; 1 by default");
   sky->add_option("--seed", options->seed, "of the random numbers of the reference");
   sky->add_option("--stderr", options->error,
                   "standard error at which the reference stops, as 0.5%");

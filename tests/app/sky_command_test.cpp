@@ -75,6 +75,9 @@ TEST_F(SkyCommand, SiUnitsAreTheSunTimesTheRelativeOnes) {
   };
   std::string const options = "--sun-zenith 60 --wavelengths 550 --method single";
   double const ratio = valueOf(look(kTwo, options + " --units SI")) / valueOf(look(kTwo, options));
+  double const far = valueOf(look(kTwo, options + " --units SI --sun-distance-au 2")) /
+                     valueOf(look(kTwo, options + " --units SI"));
+  EXPECT_NEAR(far, 0.25, 1e-5);    // six printed digits
   EXPECT_NEAR(ratio, 1.86, 0.03);  // W m-2 nm-1 at 550 nm, ASTM E490
 }
 
@@ -114,6 +117,7 @@ TEST_F(SkyCommand, BadInputNamesOptionFindingAndAllowance) {
   EXPECT_THAT(look(kTwo, "--sun-zenith 60 --wavelengths 550 --method best"),
               AllOf(HasSubstr("best"), HasSubstr("reference")));
   EXPECT_THAT(look(kTwo, wave + "--units cgs"), HasSubstr("--units"));
+  EXPECT_THAT(look(kTwo, wave + "--sun-distance-au 0"), HasSubstr("--sun-distance-au"));
   EXPECT_THAT(look(kTwo, wave + "--sun ring"), HasSubstr("--sun"));
   EXPECT_THAT(look(kTwo, wave + "--format json"), HasSubstr("--format"));
   EXPECT_THAT(look(kTwo, wave + "--albedo 1.5"), HasSubstr("--albedo"));
