@@ -131,7 +131,7 @@ double readError(std::string text) {
 
 // ratio=R,shift-km=S[,azimuth-deg=A]: the shadow's axis passes through a point of the observer's
 // horizontal plane, S km away at azimuth A from that of the Sun.
-Occulter readOcculter(const std::string& text, const SkyRequest& request) {
+Occulter readOcculter(const std::string& text, const SkyQuestion& request) {
   double ratio = NAN, shiftKm = NAN, azimuth = 90.0;
   for (auto const& cell : cellsOf(text)) {
     auto const equals = cell.find('=');
@@ -170,7 +170,7 @@ void showProgress(double share) {
   std::fflush(stderr);
 }
 
-void printLuminance(const SkyRequest& request, const SkyAnswer& answer,
+void printLuminance(const SkyQuestion& request, const SkyAnswer& answer,
                     const std::vector<ViewDirection>& views, double sunlight) {
   auto weights = linearSrgbWeights(request.wavelengths);
   for (auto& weight : weights) weight *= sunlight;
@@ -197,7 +197,7 @@ void printLuminance(const SkyRequest& request, const SkyAnswer& answer,
   }
 }
 
-void printSpectral(const SkyRequest& request, const SkyAnswer& answer,
+void printSpectral(const SkyQuestion& request, const SkyAnswer& answer,
                    const std::vector<ViewDirection>& views, bool si, double sunlight) {
   size_t const n = request.wavelengths.size();
   std::vector<double> scale;
@@ -230,7 +230,7 @@ void runSky(const Options& options) {
     throw InputError(
         "--units: found SI with --luminance, whose units are cd/m2 or lx; allowed: one of the two");
 
-  SkyRequest request;
+  SkyQuestion request;
   request.medium = readMedium(options.medium);
   if (!options.albedo.empty())
     request.medium.groundAlbedo = Spectrum(within(options.albedo, "--albedo", 0.0, 1.0));

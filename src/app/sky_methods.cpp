@@ -7,7 +7,7 @@ namespace {
 
 const Direction<AirFrame> kUp{{0.0, 0.0, 1.0}};
 
-SkyAnswer byReference(const SkyRequest& request, const SkyProgress& progress) {
+SkyAnswer byReference(const SkyQuestion& request, const SkyProgress& progress) {
   SkyAnswer answer;
   size_t const n = request.wavelengths.size();
   size_t const total = (request.irradiance ? 1 : request.directions.size()) * n;
@@ -38,7 +38,7 @@ SkyAnswer byReference(const SkyRequest& request, const SkyProgress& progress) {
   return answer;
 }
 
-SkyAnswer bySingleScattering(const SkyRequest& request, const SkyProgress& progress) {
+SkyAnswer bySingleScattering(const SkyQuestion& request, const SkyProgress& progress) {
   SkyAnswer answer;
   size_t const n = request.wavelengths.size();
   answer.radiances.resize(request.irradiance ? 0 : request.directions.size() * n);
@@ -60,8 +60,15 @@ SkyAnswer bySingleScattering(const SkyRequest& request, const SkyProgress& progr
 }  // namespace
 
 const std::map<std::string, SkyMethod>& skyMethods() {
-  static const std::map<std::string, SkyMethod> methods{{"reference", byReference},
-                                                        {"single", bySingleScattering}};
+  static const std::map<std::string, SkyMethod> methods = [] {
+    std::map<std::string, SkyMethod> all{{"reference", byReference},
+                                         {"single", bySingleScattering}};
+    for (std::string const preset : {"draft", "balanced", "accurate"})
+      all[preset] = [preset](const SkyQuestion& question, const SkyProgress&) {
+        return byPreset(preset, question);
+      };
+    return all;
+  }();
   return methods;
 }
 

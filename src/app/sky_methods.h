@@ -1,6 +1,6 @@
 // How `antumbra sky` gets its numbers: each method answers the same request. The reference methods
-// run on the processor (atmosphere/); methods on the graphics device add themselves to
-// skyMethods().
+// run on the processor (atmosphere/), the presets of configs/quality on the graphics device, by the
+// programs that draw pictures.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace antumbra {
 
-struct SkyRequest {
+struct SkyQuestion {
   Medium medium;
   // AirFrame with z through the camera and x towards the Sun's azimuth.
   Position<AirFrame> camera;
@@ -32,7 +32,10 @@ struct SkyAnswer {
 };
 
 using SkyProgress = std::function<void(double)>;
-using SkyMethod = std::function<SkyAnswer(const SkyRequest&, const SkyProgress&)>;
+using SkyMethod = std::function<SkyAnswer(const SkyQuestion&, const SkyProgress&)>;
 const std::map<std::string, SkyMethod>& skyMethods();
+
+// One of the presets draft, balanced, accurate on the graphics device (sky_device_method.cpp).
+SkyAnswer byPreset(const std::string& preset, const SkyQuestion& question);
 
 }  // namespace antumbra

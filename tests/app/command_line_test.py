@@ -60,6 +60,22 @@ class CommandLine(unittest.TestCase):
         a, b = ((self.path / n).read_bytes() for n in ("a.exr", "b.exr"))
         self.assertEqual(a[-4096:], b[-4096:])
 
+    def test_the_drawing_programs_answer_for_the_sky(self):
+        """Against the Monte Carlo row of tests/authorities/mc_spherical_bruneton2017.csv."""
+        directions = self.path / "directions.toml"  # a name that `refused` does not count
+        directions.write_text("view_zenith_deg,rel_azimuth_deg\n0,0\n75,90\n")
+        arguments = ["sky", "--medium", "catalogs/atmospheres/reference_bruneton2017.toml",
+                     "--sun-zenith", "60", "--directions", str(directions), "--wavelengths",
+                     "440,550,680"]
+        result = run(*arguments, "--method", "balanced")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        rows = [line.split(",") for line in result.stdout.splitlines() if line[:1].isdigit()]
+        self.assertEqual(len(rows), 6)
+        expected = [0.020576, 0.0085291, 0.0039035, 0.050429, 0.024341, 0.011721]
+        for row, value in zip(rows, expected):
+            self.assertAlmostEqual(float(row[3]) / value, 1.0, delta=0.03)
+        self.refused([*arguments, "--method", "exact"], "--method", "balanced")
+
     def test_takes_contacts_as_instants(self):
         scene = self.scene("s.toml")
         result = run("render", scene, "--time", "max 2027-08-02 @25.687,32.640,76", "--explain")

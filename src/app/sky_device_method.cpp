@@ -1,0 +1,39 @@
+// The sky by the programs that draw pictures, with tables for the wavelengths asked for.
+#include <cmath>
+
+#include "app/sky_methods.h"
+#include "gl/context.h"
+#include "passes/air_quality.h"
+#include "passes/sky_sampler.h"
+
+namespace antumbra {
+
+SkyAnswer byPreset(const std::string& preset, const SkyQuestion& question) {
+  gl::HeadlessContext const context;
+  gl::prepareContext();
+  SkyRequest request;
+  request.altitude = Length(glm::length(question.camera.m)) - question.medium.radius;
+  glm::dvec3 const& sun = question.sun.toSun.u;
+  request.sunZenith = arcTangent(std::hypot(sun.x, sun.y), sun.z);
+  request.sunRadius = question.sun.discRadius;
+  request.wavelengths = question.wavelengths;
+  request.law = question.sun.law;
+  request.casters = SunShadow(question.sun, question.wavelengths.front()).pairs();
+  for (auto const& d : question.directions)
+    request.directions.push_back(
+        {arcTangent(std::hypot(d.u.x, d.u.y), d.u.z), arcTangent(d.u.y, d.u.x)});
+  AirQuality const quality = AirQuality::preset(preset);
+  SkyAnswer answer;
+  if (question.irradiance) {
+    for (auto const& e : sampleSkyIrradiance(question.medium, request, quality)) {
+      answer.direct.push_back(e.direct);
+      answer.diffuse.push_back({e.diffuse, 0.0, 0});
+    }
+  } else {
+    for (double radiance : sampleSky(question.medium, request, quality))
+      answer.radiances.push_back({radiance, 0.0, 0});
+  }
+  return answer;
+}
+
+}  // namespace antumbra
