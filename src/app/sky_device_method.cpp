@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "app/sky_methods.h"
+#include "atmosphere/single_scattering.h"
 #include "gl/context.h"
 #include "passes/air_quality.h"
 #include "passes/sky_sampler.h"
@@ -25,10 +26,13 @@ SkyAnswer byPreset(const std::string& preset, const SkyQuestion& question) {
   AirQuality const quality = AirQuality::preset(preset);
   SkyAnswer answer;
   if (question.irradiance) {
-    for (auto const& e : sampleSkyIrradiance(question.medium, request, quality)) {
-      answer.direct.push_back(e.direct);
+    for (auto const& e : sampleSkyIrradiance(question.medium, request, quality))
       answer.diffuse.push_back({e.diffuse, 0.0, 0});
-    }
+    // Direct sunlight is no matter of method: optical depth and visible share in double precision.
+    for (Length const wavelength : question.wavelengths)
+      answer.direct.push_back(
+          SingleScattering(question.medium, question.sun, wavelength, question.groundRadius)
+              .directIrradiance(question.camera, {{0.0, 0.0, 1.0}}));
   } else {
     for (double radiance : sampleSky(question.medium, request, quality))
       answer.radiances.push_back({radiance, 0.0, 0});
