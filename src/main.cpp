@@ -10,5 +10,7 @@ int main(int argc, char** argv) {
   antumbra::addSkyCommand(program);
   antumbra::addViewCommand(program);
   antumbra::addEclipseCommand(program);
+  antumbra::addEphemerisCommand(program);
+  antumbra::addTradeCommand(program);
   return antumbra::runProgram(program, argc, argv);
 }

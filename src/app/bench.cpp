@@ -8,5 +8,6 @@ int main(int argc, char** argv) {
                    "antumbra-bench"};
   program.require_subcommand(1);
   antumbra::addPictureBench(program);
+  antumbra::addEphemerisBench(program);
   return antumbra::runProgram(program, argc, argv);
 }

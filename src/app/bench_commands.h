@@ -6,5 +6,6 @@
 namespace antumbra {
 
 void addPictureBench(CLI::App& program);
+void addEphemerisBench(CLI::App& program);
 
 }  // namespace antumbra

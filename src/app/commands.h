@@ -11,5 +11,9 @@ void addRenderCommand(CLI::App& program);
 void addSkyCommand(CLI::App& program);
 void addViewCommand(CLI::App& program);
 void addEclipseCommand(CLI::App& program);
+void addEphemerisCommand(CLI::App& program);
+// `trade` has one subcommand per subject, each in a file of its own.
+void addTradeCommand(CLI::App& program);
+void addTradeEphemeris(CLI::App& trade);
 
 }  // namespace antumbra

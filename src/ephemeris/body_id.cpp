@@ -26,6 +26,30 @@ constexpr std::array kNames{
     std::pair{BodyId::Uranus, "Uranus"},
     std::pair{BodyId::NeptuneBarycentre, "NeptuneBarycentre"},
     std::pair{BodyId::Neptune, "Neptune"},
+    std::pair{BodyId::PlutoBarycentre, "PlutoBarycentre"},
+    std::pair{BodyId::Pluto, "Pluto"},
+    std::pair{BodyId::Phobos, "Phobos"},
+    std::pair{BodyId::Deimos, "Deimos"},
+    std::pair{BodyId::Io, "Io"},
+    std::pair{BodyId::Europa, "Europa"},
+    std::pair{BodyId::Ganymede, "Ganymede"},
+    std::pair{BodyId::Callisto, "Callisto"},
+    std::pair{BodyId::Mimas, "Mimas"},
+    std::pair{BodyId::Enceladus, "Enceladus"},
+    std::pair{BodyId::Tethys, "Tethys"},
+    std::pair{BodyId::Dione, "Dione"},
+    std::pair{BodyId::Rhea, "Rhea"},
+    std::pair{BodyId::Titan, "Titan"},
+    std::pair{BodyId::Hyperion, "Hyperion"},
+    std::pair{BodyId::Iapetus, "Iapetus"},
+    std::pair{BodyId::Miranda, "Miranda"},
+    std::pair{BodyId::Ariel, "Ariel"},
+    std::pair{BodyId::Umbriel, "Umbriel"},
+    std::pair{BodyId::Titania, "Titania"},
+    std::pair{BodyId::Oberon, "Oberon"},
+    std::pair{BodyId::Triton, "Triton"},
+    std::pair{BodyId::Proteus, "Proteus"},
+    std::pair{BodyId::Charon, "Charon"},
 };
 
 }  // namespace
@@ -53,6 +77,32 @@ const std::vector<BodyId>& allBodies() {
     return b;
   }();
   return bodies;
+}
+
+bool isSatellite(BodyId body) { return body >= BodyId::Phobos; }
+
+BodyId systemOf(BodyId body) {
+  switch (body) {
+    case BodyId::Jupiter:
+      return BodyId::JupiterBarycentre;
+    case BodyId::Saturn:
+      return BodyId::SaturnBarycentre;
+    case BodyId::Uranus:
+      return BodyId::UranusBarycentre;
+    case BodyId::Neptune:
+      return BodyId::NeptuneBarycentre;
+    case BodyId::Pluto:
+      return BodyId::PlutoBarycentre;
+    default:
+      break;
+  }
+  if (!isSatellite(body)) return body;
+  if (body <= BodyId::Deimos) return BodyId::Mars;
+  if (body <= BodyId::Callisto) return BodyId::JupiterBarycentre;
+  if (body <= BodyId::Iapetus) return BodyId::SaturnBarycentre;
+  if (body <= BodyId::Oberon) return BodyId::UranusBarycentre;
+  if (body <= BodyId::Proteus) return BodyId::NeptuneBarycentre;
+  return BodyId::PlutoBarycentre;
 }
 
 }  // namespace antumbra

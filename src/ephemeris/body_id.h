@@ -26,6 +26,30 @@ enum class BodyId {
   Uranus,
   NeptuneBarycentre,
   Neptune,
+  PlutoBarycentre,
+  Pluto,
+  Phobos,
+  Deimos,
+  Io,
+  Europa,
+  Ganymede,
+  Callisto,
+  Mimas,
+  Enceladus,
+  Tethys,
+  Dione,
+  Rhea,
+  Titan,
+  Hyperion,
+  Iapetus,
+  Miranda,
+  Ariel,
+  Umbriel,
+  Titania,
+  Oberon,
+  Triton,
+  Proteus,
+  Charon,
 };
 
 // "Sun", "Moon", "Jupiter", "JupiterBarycentre" ...
@@ -34,5 +58,11 @@ std::optional<BodyId> bodyFromName(std::string_view name);
 // Throws InputError that lists the names.
 BodyId bodyNamed(std::string_view name, const std::string& where);
 const std::vector<BodyId>& allBodies();
+
+// The body that the planetary theories place: a planet's barycentre for the planet and its moons
+// (Mars for its own), the body itself otherwise.
+BodyId systemOf(BodyId body);
+// A moon other than the Earth's.
+bool isSatellite(BodyId body);
 
 }  // namespace antumbra

@@ -138,8 +138,8 @@ double DeltaT::secondsAt(double year) const {
                                 c.a1 / (c.to - c.from));
   }
   double const far = lastMonthly_ + kBlendYears;
-  // The slope of the last ten years: the seasonal wave of the monthly values averages out.
-  double const slope = (observedAt(lastMonthly_) - observedAt(lastMonthly_ - 10.0)) / 10.0;
+  // The slope of the last five years: the seasonal wave of the monthly values averages out.
+  double const slope = (observedAt(lastMonthly_) - observedAt(lastMonthly_ - 5.0)) / 5.0;
   return year > far ? parabola(year)
                     : hermite(year, lastMonthly_, far, observedAt(lastMonthly_), parabola(far),
                               slope, parabolaSlope(far));
