@@ -141,7 +141,7 @@ void calibrate(const std::string& file) {
       fmt::print(stderr, "calibrated {} ({})\n", body, near ? "near" : "whole");
     }
   }
-  writeText(file, out);
+  writeTextFile(file, out);
 }
 
 struct Options {
@@ -161,7 +161,7 @@ void run(const Options& o) {
     rows.push_back(
         {{"what", line.what}, {"microseconds", line.microseconds}, {"ratio", line.ratio}});
   }
-  if (!o.json.empty()) writeText(o.json, rows.dump(1) + "\n");
+  if (!o.json.empty()) writeTextFile(o.json, rows.dump(1) + "\n");
 }
 
 }  // namespace

@@ -185,7 +185,7 @@ void run(const Options& o) {
   Ephemeris const ephemeris(ephemerisOptions(o));
   auto const dates = readDates(o, request);
   auto const rows = ephemerisRows(ephemeris, request, dates.epochs);
-  writeText(o.output, asJson ? json(o, request, dates, rows) : csv(request, dates, rows));
+  writeTextFile(o.output, asJson ? json(o, request, dates, rows) : csv(request, dates, rows));
 }
 
 }  // namespace

@@ -189,14 +189,18 @@ std::vector<Epoch> epochsFromRange(Instant first, Instant last, Duration step, T
   if (last < first) throw InputError("--to: lies before --from; allowed: a later date");
   if (!(step.si > 0.0))
     throw InputError(fmt::format("--step: found {} s; allowed: a positive time", step / second));
-  double const count = std::floor((last - first) / step + 1e-9) + 1.0;
+  // Steps are even in the scale that is printed. A millionth of a step is forgiven at the end: TDB
+  // and TT run 30 microseconds apart in a day.
+  auto const start = first.in(scale, deltaT), end = last.in(scale, deltaT);
+  double const length = (end.whole - start.whole) + (end.fraction - start.fraction);
+  double const count = std::floor(length / (step / day) + 1e-6) + 1.0;
   if (count > static_cast<double>(kMaxRows))
     throw InputError(
         fmt::format("--step: found {:.0f} dates; allowed: at most {}", count, kMaxRows));
   std::vector<Epoch> epochs;
   for (double i = 0.0; i < count; i += 1.0) {
-    Instant const t = first + i * step;
-    auto const date = t.in(scale, deltaT);
+    JulianDate const date{start.whole, start.fraction + i * (step / day)};
+    auto const t = Instant::from(scale, date, deltaT);
     double const whole = std::floor(date.whole + 0.5),
                  fraction = (date.whole - whole) + date.fraction;
     double day = std::floor(whole + fraction);

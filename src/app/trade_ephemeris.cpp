@@ -98,7 +98,9 @@ void run(const Options& o) {
                       {"time_us", time}});
     }
   }
-  writeText(o.output, o.format == "json" ? rows.dump(1) + "\n" : o.format == "csv" ? csv : table);
+  writeTextFile(o.output, o.format == "json"  ? rows.dump(1) + "\n"
+                          : o.format == "csv" ? csv
+                                              : table);
 }
 
 }  // namespace

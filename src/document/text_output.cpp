@@ -10,7 +10,7 @@
 
 namespace antumbra {
 
-void writeText(const std::string& file, const std::string& content) {
+void writeTextFile(const std::string& file, const std::string& content) {
   if (file.empty() || file == "-") {
     if (std::fwrite(content.data(), 1, content.size(), stdout) != content.size() ||
         std::fflush(stdout) != 0)

@@ -7,6 +7,6 @@ namespace antumbra {
 
 // `file` empty or "-": standard output. Throws InputError (naming -o) if the file cannot be
 // written.
-void writeText(const std::string& file, const std::string& content);
+void writeTextFile(const std::string& file, const std::string& content);
 
 }  // namespace antumbra
