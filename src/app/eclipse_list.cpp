@@ -5,6 +5,7 @@
 #include "app/eclipse_options.h"
 #include "app/row_table.h"
 #include "document/input_error.h"
+#include "eclipse/jovian.h"
 #include "eclipse/transit.h"
 
 namespace antumbra {
@@ -99,6 +100,22 @@ RowTable::Row rowOf(const Transit& e, const EclipseBasis& basis) {
   return row;
 }
 
+RowTable::Row rowOf(const JovianEvent& e) {
+  return {{"ecl_id", e.id},
+          {"type", e.shadowOnJupiter ? "shadow" : "eclipse"},
+          {"moon", nameOf(e.moon)},
+          {"jd_tt_begin_at_jupiter", cell(e.begin.tt().value(), 6)},
+          {"jd_tt_middle_at_jupiter", cell(e.middle.tt().value(), 6)},
+          {"jd_tt_end_at_jupiter", cell(e.end.tt().value(), 6)},
+          {"light_time_s", cell(e.lightTime / second, 1)},
+          {"delta_t_s", cell(e.deltaT / second, 3)},
+          {"begin_seen_ut1", ut1Of(e.seen(e.begin), e.deltaT)},
+          {"middle_seen_ut1", ut1Of(e.seen(e.middle), e.deltaT)},
+          {"end_seen_ut1", ut1Of(e.seen(e.end), e.deltaT)},
+          {"least_distance_radii", cell(e.leastDistance, 4)},
+          {"shadows_at_once", e.shadowOnJupiter ? cell(e.shadowsAtOnce, 0) : Cell()}};
+}
+
 // A line on a terminal's standard error, rewritten as the search goes.
 Progress progressLine(const std::string& what) {
   if (isatty(STDERR_FILENO) == 0) return {};
@@ -124,6 +141,8 @@ void list(const Options& options) {
     for (auto const& e : lunarEclipses(basis, from, to, progress)) table.add(rowOf(e, basis));
   if (options.kind == "transit")
     for (auto const& e : transits(basis, from, to, progress)) table.add(rowOf(e, basis));
+  if (options.kind == "jovian")
+    for (auto const& e : jovianEvents(basis, from, to, progress)) table.add(rowOf(e));
   if (options.format == "table") fmt::print("{}\n", describe(basis));
   writeText(options.output, table.text(options.format, {"ecl_id"}));
 }
@@ -133,8 +152,8 @@ void list(const Options& options) {
 void addEclipseList(CLI::App& eclipse) {
   auto* const command = eclipse.add_subcommand("list", "every eclipse in a span of years");
   auto options = std::make_shared<Options>();
-  command->add_option("--kind", options->kind, "solar, lunar or transit")
-      ->check(CLI::IsMember({"solar", "lunar", "transit"}))
+  command->add_option("--kind", options->kind, "solar, lunar, transit or jovian")
+      ->check(CLI::IsMember({"solar", "lunar", "transit", "jovian"}))
       ->capture_default_str();
   command->add_option("--from", options->from, "first year (astronomical: 0 is 1 BC)")->required();
   command->add_option("--to", options->to, "last year, inclusive")->required();
