@@ -109,7 +109,13 @@ struct BodiesPass::State {
     if (file.empty()) return nullptr;
     auto const found = maps.find(file);
     if (found != maps.end()) return &found->second;
-    DecodedImage const image = images(file, where);
+    DecodedImage image = images(file, where);
+    if (colour && image.components == 1) {  // grey, in the colour transfer of sRGB
+      std::vector<unsigned char> spread;
+      for (unsigned char grey : image.texels) spread.insert(spread.end(), 3, grey);
+      image.texels = std::move(spread);
+      image.components = 3;
+    }
     GLenum const format = image.components == 1 ? GL_R8
                           : colour ? (image.components == 3 ? GL_SRGB8 : GL_SRGB8_ALPHA8)
                                    : GL_RGBA8;

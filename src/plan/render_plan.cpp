@@ -138,6 +138,11 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
     p.cameraInAir = !p.atmosphere.empty() && p.cameraHeight.si < kAirReach * a;
     p.map = b.body->surface.map;
     p.albedo = b.body->surface.reflectance;
+    p.waterMask = b.body->surface.waterMask;
+    p.nightMap = b.body->surface.nightMap;
+    p.nightLuminance = b.body->surface.nightLuminance;
+    if (b.body->surface.mapMean) p.mapFactor = p.albedo / *b.body->surface.mapMean;
+    p.lommelSeeliger = b.body->surface.scattering == Surface::Scattering::LommelSeeliger;
     p.casters = liveCasters(b, convention, plan);
     plan.drawn.push_back({b.body->name, isAnchor ? fmt::format("the camera is {:.3f} km above it",
                                                                p.cameraHeight / kilometre)
