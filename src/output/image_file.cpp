@@ -1,64 +1,46 @@
 #include "output/image_file.h"
 
-#include <OpenImageIO/imageio.h>
+#include <dlfcn.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-
 #include "document/input_error.h"
+#include "output/image_codec.h"
 
 namespace antumbra {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Writes to a name of its own in the target's folder, then renames; removes it on any failure.
-void writeThenRename(const fs::path& file, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
-                     const void* pixels) {
-  fs::path const temporary = file.parent_path() / fmt::format(".{}.{}{}", file.stem().string(),
-                                                              getpid(), file.extension().string());
-  auto const fail = [&](const std::string& why) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    throw InputError(fmt::format("{}: cannot be written: {}", file.string(), why));
-  };
-  auto output = OIIO::ImageOutput::create(temporary.string());
-  if (!output) fail(OIIO::geterror());
-  if (!output->open(temporary.string(), spec)) fail(output->geterror());
-  if (!output->write_image(type, pixels)) fail(output->geterror());
-  if (!output->close()) fail(output->geterror());
-  std::error_code error;
-  fs::rename(temporary, file, error);
-  if (error) fail(error.message());
-}
-
-OIIO::ImageSpec specOf(int width, int height, OIIO::TypeDesc type, const Metadata& metadata) {
-  OIIO::ImageSpec spec(width, height, 3, type);
-  for (auto const& [name, value] : metadata) spec.attribute(name, value);
-  return spec;
+// The module lies beside the program. Loaded once, at the first picture.
+const ImageCodec& codec() {
+  static const ImageCodec* const loaded = [] {
+    fs::path const file =
+        fs::read_symlink("/proc/self/exe").parent_path() / "antumbra_image_codec.so";
+    void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!module)
+      throw std::runtime_error(
+          fmt::format("the image module cannot be loaded: {}; it is built with the program and "
+                      "must stay beside it",
+                      dlerror()));
+    auto const entry =
+        reinterpret_cast<decltype(&antumbraImageCodec)>(dlsym(module, "antumbraImageCodec"));
+    if (!entry) throw std::runtime_error(fmt::format("{} is no image module", file.string()));
+    return entry();
+  }();
+  return *loaded;
 }
 
 }  // namespace
 
 void writePng(const fs::path& file, int width, int height, const std::vector<std::uint8_t>& srgb,
               const Metadata& metadata) {
-  auto spec = specOf(width, height, OIIO::TypeDesc::UINT8, metadata);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  spec.attribute("png:compressionLevel", 6);
-  writeThenRename(file, spec, OIIO::TypeDesc::UINT8, srgb.data());
+  codec().writePng(file, width, height, srgb, metadata);
 }
 
 void writeExr(const fs::path& file, int width, int height, const std::vector<float>& linear,
               const Metadata& metadata) {
-  auto spec = specOf(width, height, OIIO::TypeDesc::FLOAT, metadata);
-  spec.attribute("oiio:ColorSpace", "Linear");
-  spec.attribute("compression", "zip");
-  // Rec. 709 primaries and white.
-  static const float chromaticities[8] = {0.64f, 0.33f, 0.30f,   0.60f,
-                                          0.15f, 0.06f, 0.3127f, 0.3290f};
-  spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), chromaticities);
-  writeThenRename(file, spec, OIIO::TypeDesc::FLOAT, linear.data());
+  codec().writeExr(file, width, height, linear, metadata);
 }
 
 void checkOutputFile(const fs::path& file, const std::string& where) {
@@ -75,23 +57,7 @@ void checkOutputFile(const fs::path& file, const std::string& where) {
 }
 
 DecodedImage readImage(const fs::path& file, const std::string& where) {
-  auto input = OIIO::ImageInput::open(file.string());
-  if (!input)
-    throw InputError(fmt::format("{}: image {} cannot be read: {}", where, file.string(),
-                                 fs::exists(file) ? OIIO::geterror() : "no such file"));
-  OIIO::ImageSpec const& spec = input->spec();
-  DecodedImage image{spec.width, spec.height, std::min(spec.nchannels, 4), {}};
-  auto const row =
-      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.components);
-  image.texels.resize(row * static_cast<std::size_t>(image.height));
-  // Bottom row first: start at the last row and step backwards.
-  auto const stride = static_cast<OIIO::stride_t>(row);
-  if (!input->read_image(0, 0, 0, image.components, OIIO::TypeDesc::UINT8,
-                         image.texels.data() + row * static_cast<std::size_t>(image.height - 1),
-                         OIIO::AutoStride, -stride))
-    throw InputError(
-        fmt::format("{}: image {} cannot be decoded: {}", where, file.string(), input->geterror()));
-  return image;
+  return codec().readImage(file, where);
 }
 
 }  // namespace antumbra
