@@ -81,6 +81,11 @@ SceneSession::SceneSession(const std::string& file, const SceneOverrides& o)
   }
 }
 
+void SceneSession::follow(Duration offset, double rate) {
+  if (!playback_) playback_ = std::make_shared<PlaybackEphemeris>(Ephemeris::standard());
+  playback_->follow(start_ + offset, rate);
+}
+
 SceneSession::Moment SceneSession::at(int frame) const {
   return at(scene_.atFrame(frame), scene_.offsetAt(frame));
 }
@@ -88,8 +93,8 @@ SceneSession::Moment SceneSession::at(int frame) const {
 SceneSession::Moment SceneSession::at(const Scene& scene, Duration offset) const {
   Moment m;
   m.scene = scene;
-  m.placed =
-      placeScene(scene, start_ + offset, BodyCatalogue::standard(), Ephemeris::standard(), deltaT_);
+  m.placed = placeScene(scene, start_ + offset, BodyCatalogue::standard(),
+                        playback_ ? *playback_ : Ephemeris::standard(), deltaT_);
   m.plan = makeRenderPlan(scene, m.placed);
   return m;
 }

@@ -2,12 +2,13 @@
 // plan.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "ephemeris/ephemeris.h"
+#include "ephemeris/playback.h"
 #include "plan/render_plan.h"
 #include "scene/placed_scene.h"
 #include "scene/scene.h"
@@ -29,6 +30,9 @@ class SceneSession {
  public:
   // Throws InputError: the scene file, an option.
   SceneSession(const std::string& file, const SceneOverrides& overrides);
+  // Live: places come from segments fitted ahead of the clock, which runs at `rate` seconds of the
+  // scene per second and stands at `offset`, so that no frame waits for a series.
+  void follow(Duration offset, double rate);
 
   const Scene& scene() const { return scene_; }
   // One frame of the scene's animation, placed and planned.
@@ -47,6 +51,7 @@ class SceneSession {
   Scene scene_;
   DeltaT deltaT_;
   Instant start_;
+  std::shared_ptr<const PlaybackEphemeris> playback_;  // only when followed
 };
 
 // "WxH" into the picture; throws InputError that opens with `where`.

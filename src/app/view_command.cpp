@@ -32,7 +32,7 @@ std::pair<Angle, Angle> lookOf(const PlacedScene& placed) {
 }
 
 void view(const Options& options) {
-  SceneSession const session(options.scene, options.overrides);
+  SceneSession session(options.scene, options.overrides);
   ViewControls controls(session.scene());
   Window window("antumbra", session.scene().picture.width, session.scene().picture.height);
   gl::prepareContext();
@@ -90,6 +90,7 @@ void view(const Options& options) {
     Duration const passed(std::chrono::duration<double>(now - last).count());
     last = now;
     controls.advance(passed);
+    session.follow(controls.timeOffset(), controls.paused() ? 0.0 : controls.rate());
     moment = session.at(controls.scene(), controls.timeOffset());
     renderer.show(moment.scene, moment.placed, moment.plan, 0, passed);
     window.setTitle(fmt::format("{}  {}  {}", moment.scene.title,

@@ -79,6 +79,7 @@ struct BodiesPass::State {
   std::map<std::string, gl::Texture> maps;
   std::map<std::string, Resident> bodies;
   std::map<std::string, gl::Program> programs;
+  bool exact = true;
   int tablesBuilt = 0;
   GLuint vertexArrayId = 0;
 
@@ -142,8 +143,10 @@ struct BodiesPass::State {
   }
 };
 
-BodiesPass::BodiesPass(ImageSource images, const AirQuality& quality)
-    : state_(std::make_unique<State>(std::move(images), quality)) {}
+BodiesPass::BodiesPass(ImageSource images, const AirQuality& quality, bool exact)
+    : state_(std::make_unique<State>(std::move(images), quality)) {
+  state_->exact = exact;
+}
 BodiesPass::~BodiesPass() = default;
 
 void BodiesPass::prepare(const PlannedBody& body, const Projection& picture, const Look& look) {
@@ -186,7 +189,7 @@ void BodiesPass::prepare(const PlannedBody& body, const Projection& picture, con
       resident.eclipsed.reset();
     } else if (air) {
       if (!resident.eclipsed)
-        resident.eclipsed = std::make_unique<EclipsedSource>(*air, *resident.shadows);
+        resident.eclipsed = std::make_unique<EclipsedSource>(*air, *resident.shadows, s.exact);
       resident.eclipsed->update(*air, *resident.shadows, pairs.front(), resident.sun);
       auto const more = EclipsedSource::definitions();
       shadowFlags.insert(shadowFlags.end(), more.begin(), more.end());
@@ -350,6 +353,8 @@ std::vector<std::pair<std::string, double>> BodiesPass::precomputeSeconds() cons
   std::vector<std::pair<std::string, double>> list;
   for (auto const& [name, tables] : state_->airs)
     list.emplace_back(name, tables->precomputeSeconds());
+  for (auto const& [name, resident] : state_->bodies)
+    if (resident.eclipsed) list.emplace_back("eclipse on " + name, resident.eclipsed->seconds());
   return list;
 }
 

@@ -26,7 +26,9 @@ class BodiesPass {
     bool illustrative = false;  // flat colours in the shadows, lines of equal obscuration
     LimbDarkeningLaw law = LimbDarkeningLaw::Hestroffer;
   };
-  BodiesPass(ImageSource images, const AirQuality& quality);
+  // `exact`: what belongs to an instant is computed for that very instant (off line); otherwise
+  // eclipsed light may be that of a slightly earlier one (live).
+  BodiesPass(ImageSource images, const AirQuality& quality, bool exact = true);
   ~BodiesPass();
   BodiesPass(const BodiesPass&) = delete;
   BodiesPass& operator=(const BodiesPass&) = delete;

@@ -28,7 +28,7 @@ gl::Definitions with(const AirTables& tables, const BodyShadows& shadows,
 
 }  // namespace
 
-EclipsedSource::EclipsedSource(const AirTables& tables, const BodyShadows& shadows)
+EclipsedSource::EclipsedSource(const AirTables& tables, const BodyShadows& shadows, bool exact)
     : baseProgram_(gl::Program::compute(
           "precompute/eclipsed_radiance.comp",
           with(tables, shadows,
@@ -41,7 +41,8 @@ EclipsedSource::EclipsedSource(const AirTables& tables, const BodyShadows& shado
           with(tables, shadows, {"AIR_SOURCE", "ECLIPSED_HARMONICS", "AIR_CUTS", "WHOLE_TURN"}))),
       moments_(gl::Program::compute("precompute/eclipsed_moments.comp",
                                     with(tables, shadows, {"WHOLE_TURN"}))),
-      nodes_(tables.quality().eclipseSamples) {
+      nodes_(tables.quality().eclipseSamples),
+      exact_(exact) {
   auto const& q = tables.quality();
   int const layers = tables.layers();
   auto const volume = [&] {
@@ -78,12 +79,14 @@ bool EclipsedSource::update(const AirTables& tables, const BodyShadows& shadows,
             glm::vec4(glm::vec3(side),
                       static_cast<float>(1.02 * pair.penumbraRadius + 3.0 * tables.top().si)),
             glm::vec4(glm::vec3(sun), static_cast<float>(tables.quality().eclipseHeights))});
-  bool const near = computed_ &&
-                    std::fabs(away - glm::length(computedFor_.foot)) < kAxisTolerance * radius &&
-                    std::fabs(pair.umbraRadius - computedFor_.umbraRadius) <
-                        kUmbraTolerance * (std::fabs(computedFor_.umbraRadius) + tables.top().si) &&
-                    std::fabs(pair.penumbraRadius - computedFor_.penumbraRadius) <
-                        kUmbraTolerance * computedFor_.penumbraRadius;
+  double const slack = exact_ ? 0.0 : 1.0;
+  bool const near =
+      computed_ &&
+      std::fabs(away - glm::length(computedFor_.foot)) <= slack * kAxisTolerance * radius &&
+      std::fabs(pair.umbraRadius - computedFor_.umbraRadius) <=
+          slack * kUmbraTolerance * (std::fabs(computedFor_.umbraRadius) + tables.top().si) &&
+      std::fabs(pair.penumbraRadius - computedFor_.penumbraRadius) <=
+          slack * kUmbraTolerance * computedFor_.penumbraRadius;
   if (near) return false;
   computedFor_ = pair;
   computed_ = true;

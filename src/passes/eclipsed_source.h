@@ -24,7 +24,9 @@ namespace antumbra {
 
 class EclipsedSource {
  public:
-  EclipsedSource(const AirTables& tables, const BodyShadows& shadows);
+  // `exact`: computed anew whenever the shadow differs at all, so that a picture depends on nothing
+  // drawn before it.
+  EclipsedSource(const AirTables& tables, const BodyShadows& shadows, bool exact);
   // `pair`: the first caster's, receiver-centred metres; `sun`: unit vector in scaled space. The
   // shadows are up to date. Returns whether the grid was computed.
   bool update(const AirTables& tables, const BodyShadows& shadows, const glsl::ShadowPair& pair,
@@ -44,6 +46,7 @@ class EclipsedSource {
   gl::Buffer block_, zeniths_;
   gl::Texture grid_, other_, radiances_, base_, first_;
   glsl::ShadowPair computedFor_{};
+  bool exact_;
   bool computed_ = false;
   double seconds_ = 0.0;
 };

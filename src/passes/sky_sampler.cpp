@@ -120,7 +120,7 @@ std::vector<double> SkySampler::sample(const SkyRequest& request) {
     if (!request.casters.empty()) {
       shadows = std::make_unique<BodyShadows>(request.casters, 1.0, request.law,
                                               tables.wavelengths(), s.medium.topRadius());
-      eclipsed = std::make_unique<EclipsedSource>(tables, *shadows);
+      eclipsed = std::make_unique<EclipsedSource>(tables, *shadows, true);
       eclipsed->update(tables, *shadows, request.casters.front(), sun);
       shadowFlags = shadows->definitions();
       auto const more = EclipsedSource::definitions();

@@ -137,7 +137,8 @@ struct PictureRenderer::State {
   // Makes resident what a picture needs, and what belongs to its instant alone.
   void prepare(const Scene& scene, const RenderPlan& plan) {
     if (!bodies || quality != scene.quality) {
-      bodies = std::make_unique<BodiesPass>(images, AirQuality::preset(scene.quality));
+      bodies = std::make_unique<BodiesPass>(images, AirQuality::preset(scene.quality),
+                                            mode == Mode::OffLine);
       quality = scene.quality;
     }
     BodiesPass::Look const look{

@@ -13,16 +13,18 @@ STARTED = 90  # s, for the first picture on a slow machine
 
 class Window(unittest.TestCase):
     def setUp(self):
-        self.display = f":{os.getpid() % 10000 + 100}"
-        self.server = subprocess.Popen(["Xvfb", self.display, "-screen", "0", "800x600x24"],
-                                       stderr=subprocess.DEVNULL)
+        # The server chooses a free display and tells its number when it is ready.
+        readable, writable = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(writable), "-screen", "0", "800x600x24"],
+            pass_fds=[writable], stderr=subprocess.DEVNULL)
+        os.close(writable)
         self.addCleanup(self.server.wait)
         self.addCleanup(self.server.terminate)
-        self.environment = {**os.environ, "DISPLAY": self.display}
-        deadline = time.monotonic() + 10
-        while subprocess.run(["xdotool", "getdisplaygeometry"], env=self.environment,
-                             capture_output=True).returncode and time.monotonic() < deadline:
-            time.sleep(0.05)
+        with os.fdopen(readable) as answer:
+            number = answer.readline().strip()
+        self.assertTrue(number, "Xvfb did not start")
+        self.environment = {**os.environ, "DISPLAY": f":{number}"}
 
     def xdotool(self, *arguments):
         return subprocess.run(["xdotool", *arguments], env=self.environment, capture_output=True,
@@ -46,6 +48,7 @@ class Window(unittest.TestCase):
              "--projection", "perspective", "--quality", "draft",
              "--time", "2027-08-02T10:05:06Z"],
             env=self.environment, stdout=subprocess.PIPE, text=True)
+        self.addCleanup(program.stdout.close)
         self.addCleanup(program.kill)
         deadline = time.monotonic() + STARTED
         window = ""
