@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -11,6 +10,7 @@
 #include "app/bench_timing.h"
 #include "app/scene_session.h"
 #include "document/paths.h"
+#include "document/text_output.h"
 #include "gl/context.h"
 #include "picture/picture_renderer.h"
 
@@ -111,11 +111,7 @@ void benchPictures(const Options& options) {
   fmt::print("{}  {}\n", device.renderer, device.version);
   for (auto const& scene : options.scenes) all["scenes"].push_back(benchScene(scene, options));
   if (options.json.empty()) return;
-  std::filesystem::path const target = options.json, temporary = options.json + ".part";
-  std::ofstream(temporary) << all.dump(2) << '\n';
-  std::error_code error;
-  std::filesystem::rename(temporary, target, error);
-  if (error) throw InputError(fmt::format("--json: {} cannot be written", options.json));
+  writeTextFile(options.json, all.dump(2) + "\n");
 }
 
 }  // namespace

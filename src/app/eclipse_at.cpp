@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/eclipse_options.h"
+#include "document/text_output.h"
 #include "eclipse/local_circumstances.h"
 
 namespace antumbra {
@@ -111,8 +112,8 @@ void at(const Options& options) {
   Site const site = parseSite(options.site, "--site");
   SolarEvent const event = solarEventOn(basis, options.date, "DATE");
   Json const j = report(event, basis, site, localCircumstances(event, basis.radii(), site));
-  writeText(options.output,
-            options.format == "json" ? j.dump(2) + "\n" : tableOf(j, describe(basis)));
+  writeTextFile(options.output,
+                options.format == "json" ? j.dump(2) + "\n" : tableOf(j, describe(basis)));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/eclipse_options.h"
+#include "document/text_output.h"
 #include "eclipse/besselian.h"
 
 namespace antumbra {
@@ -37,7 +38,7 @@ void elements(const Options& options) {
                       {"largest_residual", p.largestResidual[i]}};
     j["tan_f1"] = p.tanF1;
     j["tan_f2"] = p.tanF2;
-    writeText(options.output, j.dump(2) + "\n");
+    writeTextFile(options.output, j.dump(2) + "\n");
     return;
   }
   std::string out = fmt::format("Besselian elements of the solar eclipse of {}\n{}\n",
@@ -52,7 +53,7 @@ void elements(const Options& options) {
                        kNames[i], c[0], c[1], c[2], c[3], p.largestResidual[i], kUnits[i]);
   }
   out += fmt::format("tan f1 {:.8f}   tan f2 {:.8f}\n", p.tanF1, p.tanF2);
-  writeText(options.output, out);
+  writeTextFile(options.output, out);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "app/eclipse_options.h"
 #include "app/row_table.h"
 #include "document/input_error.h"
+#include "document/text_output.h"
 #include "eclipse/jovian.h"
 #include "eclipse/transit.h"
 
@@ -144,7 +145,7 @@ void list(const Options& options) {
   if (options.kind == "jovian")
     for (auto const& e : jovianEvents(basis, from, to, progress)) table.add(rowOf(e));
   if (options.format == "table") fmt::print("{}\n", describe(basis));
-  writeText(options.output, table.text(options.format, {"ecl_id"}));
+  writeTextFile(options.output, table.text(options.format, {"ecl_id"}));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "app/eclipse_options.h"
 #include "document/input_error.h"
+#include "document/text_output.h"
 #include "eclipse/eclipse_map.h"
 #include "output/drawing_raster.h"
 #include "output/image_file.h"
@@ -29,7 +30,7 @@ void map(const Options& options) {
   SolarEvent const event = solarEventOn(basis, options.date, "DATE");
   Drawing const drawing = eclipseMap(event, eclipseCurves(event, basis.radii()), describe(basis));
   if (extension == ".svg") {
-    writeText(options.output, svgOf(drawing));
+    writeTextFile(options.output, svgOf(drawing));
   } else {
     writePng(file, drawing.width, drawing.height, rasterised(drawing),
              {{"antumbra:title", drawing.title}, {"antumbra:convention", describe(basis)}});

@@ -70,27 +70,6 @@ std::string describe(const EclipseBasis& basis) {
       basis.deltaT ? fmt::format("{} s, given", *basis.deltaT / second) : "of the standard model");
 }
 
-void writeText(const std::string& file, const std::string& text) {
-  if (file.empty()) {
-    fmt::print("{}", text);
-    return;
-  }
-  std::filesystem::path const target(file);
-  std::filesystem::path temporary = target;
-  temporary += ".part";
-  {
-    std::ofstream stream(temporary, std::ios::binary);
-    stream << text;
-    stream.close();
-    if (!stream) {
-      std::error_code ignored;
-      std::filesystem::remove(temporary, ignored);
-      throw InputError(fmt::format("-o: cannot write \"{}\"", file));
-    }
-  }
-  std::filesystem::rename(temporary, target);
-}
-
 Duration parseStep(const std::string& text, const std::string& where) {
   // "5min" as well as "5 min".
   std::string spaced = text;

@@ -21,9 +21,6 @@ struct EclipseOptions {
 // "convention nasa: Sun 695989.8 km, Moon k 0.272281 (umbra) 0.272488 (penumbra), ..."
 std::string describe(const EclipseBasis& basis);
 
-// Writes to `file` by way of a temporary file, or to standard output if it is empty.
-void writeText(const std::string& file, const std::string& text);
-
 // "5min", "30 s", "1 h", "0.5 min": a positive duration.
 Duration parseStep(const std::string& text, const std::string& where);
 

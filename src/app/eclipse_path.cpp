@@ -6,6 +6,7 @@
 #include "app/eclipse_options.h"
 #include "app/row_table.h"
 #include "document/input_error.h"
+#include "document/text_output.h"
 #include "eclipse/central_path.h"
 
 namespace antumbra {
@@ -150,15 +151,15 @@ void path(const Options& options) {
   auto const points = centralLine(event.track, basis.radii(), event.eclipse, step);
   bool const canon = options.width == "canon";
   if (options.format == "geojson") {
-    writeText(options.output, geoJson(event, basis, points, canon));
+    writeTextFile(options.output, geoJson(event, basis, points, canon));
   } else if (options.format == "kml") {
-    writeText(options.output, kml(event, basis, points));
+    writeTextFile(options.output, kml(event, basis, points));
   } else {
     RowTable table;
     for (auto const& p : points) table.add(rowOf(p, event.track, canon));
     fmt::print(stderr, "{}; delta T {:.3f} s here\n", describe(basis),
                event.eclipse.deltaT / second);
-    writeText(options.output, table.text(options.format, {"jd_tt"}));
+    writeTextFile(options.output, table.text(options.format, {"jd_tt"}));
   }
 }
 
