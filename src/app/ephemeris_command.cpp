@@ -1,6 +1,7 @@
 // `antumbra ephemeris`: positions of bodies as CSV or JSON.
 #include <fmt/format.h>
 
+#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
@@ -10,6 +11,10 @@
 
 namespace antumbra {
 namespace {
+
+// Eleven days: the parabola of Morrison & Stephenson 2004 gives 7e4 s at -3000, and no rotation of
+// the Earth in the theories' span comes near this.
+constexpr double kLargestDeltaTSeconds = 1e6;
 
 struct Options {
   std::string bodies = "all", center = "Earth", frame = "icrf", correction = "geometric";
@@ -55,6 +60,14 @@ Ephemeris::Options ephemerisOptions(const Options& o) {
   return e;
 }
 
+// Whether the text is a number and nothing else (nan and inf are; parseNumber refuses them).
+bool isNumber(std::string_view text) {
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  double value = 0.0;
+  auto const end = std::from_chars(text.data(), text.data() + text.size(), value).ptr;
+  return !text.empty() && end == text.data() + text.size();
+}
+
 struct Dates {
   std::vector<Epoch> epochs;
   std::string column;
@@ -75,9 +88,14 @@ Dates readDates(const Options& o, const EphemerisRequest& r) {
     return {epochsFromFile(o.jdUt1, TimeScale::Ut1, r.deltaT, "--jd-ut1"), "jd_ut1"};
   if (o.from.empty() || o.to.empty() || o.step.empty())
     throw InputError("--from, --to, --step: one is missing; all three are required together");
-  bool const unitless = o.step.find_first_not_of("0123456789.") == std::string::npos;
-  Duration const step = unitless ? parseNumber(o.step, "--step") * day
-                                 : parseDuration(o.step, "--step (days, or with a unit: 10min)");
+  Duration const step = isNumber(o.step)
+                            ? parseNumber(o.step, "--step") * day
+                            : parseDuration(o.step, "--step (days, or with a unit: 10min)");
+  if (!(step.si > 0.0))
+    throw InputError(fmt::format(
+        "--step: found \"{}\", which is not positive; allowed: a time longer than zero, in days or "
+        "with a unit (10min)",
+        o.step));
   auto const scale =
       r.frame == OutputFrame::Horizontal ? TimeScale::Ut1
       : r.frame == OutputFrame::EquatorialOfDate || r.frame == OutputFrame::EclipticOfDate
@@ -110,7 +128,13 @@ EphemerisRequest requestOf(const Options& o) {
                                           {"apparent", CorrectionLevel::Apparent}});
   if (!o.deltaT.empty() && !o.earthOrientation.empty())
     throw InputError("--delta-t, --eop: both given; allowed: one of them");
-  if (!o.deltaT.empty()) r.deltaT = DeltaT::fixed(parseNumber(o.deltaT, "--delta-t") * second);
+  if (!o.deltaT.empty()) {
+    double const seconds = parseNumber(o.deltaT, "--delta-t");
+    if (std::fabs(seconds) > kLargestDeltaTSeconds)
+      throw InputError(fmt::format("--delta-t: found \"{}\"; allowed: {:g} to {:g} seconds",
+                                   o.deltaT, -kLargestDeltaTSeconds, kLargestDeltaTSeconds));
+    r.deltaT = DeltaT::fixed(seconds * second);
+  }
   if (!o.earthOrientation.empty()) r.deltaT = DeltaT::fromEarthOrientationFile(o.earthOrientation);
   if (!o.site.empty()) {
     r.site = parseSite(o.site, "--site");
@@ -182,10 +206,14 @@ std::string json(const Options& o, const EphemerisRequest& r, const Dates& dates
 void run(const Options& o) {
   bool const asJson = choose<bool>(o.format, "--format", {{"csv", false}, {"json", true}});
   auto const request = requestOf(o);
-  Ephemeris const ephemeris(ephemerisOptions(o));
+  auto const options = ephemerisOptions(o);
+  Ephemeris const ephemeris(options);
   auto const dates = readDates(o, request);
   auto const rows = ephemerisRows(ephemeris, request, dates.epochs);
   writeTextFile(o.output, asJson ? json(o, request, dates, rows) : csv(request, dates, rows));
+  if (!options.error) return;
+  for (const auto& line : unmetErrors(ephemeris, request, rows, *options.error))
+    fmt::print(stderr, "antumbra: warning: --error: {}\n", line);
 }
 
 }  // namespace
@@ -214,8 +242,10 @@ void addEphemerisCommand(CLI::App& program) {
                       "auto (the table 1800-2400, else the series), series or table");
   command->add_option(
       "--error", o->error,
-      "best; full (every term of the series); or an angle as 1arcsec, which selects "
-      "the terms of the series");
+      "best; full (every term of the series); or an angle as 1arcsec: the terms of the series "
+      "that keep truncation below it, against the full series. The column error_bound_arcsec is "
+      "against JPL DE431: what the full series miss plus what was cut. Where it exceeds the angle, "
+      "a warning per body says so and the exit status stays 0");
   command->add_option("--format", o->format, "csv or json");
   command->add_option("-o,--output", o->output, "File instead of standard output");
   command->add_option("--site", o->site,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 
@@ -153,6 +154,11 @@ std::vector<Epoch> epochsFromFile(const std::string& file, TimeScale scale, cons
                                   const std::string& where) {
   std::ifstream opened;
   if (file != "-") {
+    if (std::filesystem::is_directory(file))
+      throw InputError(
+          fmt::format("{}: found \"{}\", which is a folder; allowed: a file of Julian dates, one a "
+                      "line, or - for standard input",
+                      where, file));
     opened.open(file);
     if (!opened)
       throw InputError(
@@ -162,7 +168,6 @@ std::vector<Epoch> epochsFromFile(const std::string& file, TimeScale scale, cons
                       where, file));
   }
   std::istream& in = file == "-" ? std::cin : opened;
-  std::string const name = file == "-" ? "standard input" : file;
   std::vector<Epoch> epochs;
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
@@ -170,17 +175,18 @@ std::vector<Epoch> epochsFromFile(const std::string& file, TimeScale scale, cons
     auto const begin = line.find_first_not_of(" \t\r");
     if (begin == std::string::npos) continue;
     std::string const text = line.substr(begin, line.find_last_not_of(" \t\r") - begin + 1);
-    std::string const at = fmt::format("{}:{}: Julian date", name, number);
+    std::string const place = fmt::format("{}:{}", file, number), at = place + ": Julian date";
     auto const date = splitJulianDate(text, at);
     if (std::fabs(date.value()) > 1e8)
       throw InputError(fmt::format("{}: found {}; allowed: -1e8 to 1e8", at, text));
-    epochs.push_back(
-        {Instant::from(scale, date, deltaT), text.find_first_of("eE+") == std::string::npos
-                                                 ? echoed(text)
-                                                 : fmt::format("{:.9f}", date.value())});
+    epochs.push_back({Instant::from(scale, date, deltaT),
+                      text.find_first_of("eE+") == std::string::npos
+                          ? echoed(text)
+                          : fmt::format("{:.9f}", date.value()),
+                      place, fmt::format("{} {}", text, nameOf(scale))});
   }
   if (epochs.empty())
-    throw InputError(fmt::format("{}: holds no date; allowed: one Julian date per line", name));
+    throw InputError(fmt::format("{}: holds no date; allowed: one Julian date per line", file));
   return epochs;
 }
 
@@ -188,7 +194,8 @@ std::vector<Epoch> epochsFromRange(Instant first, Instant last, Duration step, T
                                    const DeltaT& deltaT) {
   if (last < first) throw InputError("--to: lies before --from; allowed: a later date");
   if (!(step.si > 0.0))
-    throw InputError(fmt::format("--step: found {} s; allowed: a positive time", step / second));
+    throw InputError(
+        fmt::format("--step: found {:g} days; allowed: a time longer than zero", step / day));
   // Steps are even in the scale that is printed. A millionth of a step is forgiven at the end: TDB
   // and TT run 30 microseconds apart in a day.
   auto const start = first.in(scale, deltaT), end = last.in(scale, deltaT);
@@ -196,7 +203,8 @@ std::vector<Epoch> epochsFromRange(Instant first, Instant last, Duration step, T
   double const count = std::floor(length / (step / day) + 1e-6) + 1.0;
   if (count > static_cast<double>(kMaxRows))
     throw InputError(
-        fmt::format("--step: found {:.0f} dates; allowed: at most {}", count, kMaxRows));
+        fmt::format("--step: found {:g} days, which makes {:.6g} dates; allowed: at most {} dates",
+                    step / day, count, kMaxRows));
   std::vector<Epoch> epochs;
   for (double i = 0.0; i < count; i += 1.0) {
     JulianDate const date{start.whole, start.fraction + i * (step / day)};
@@ -209,7 +217,8 @@ std::vector<Epoch> epochsFromRange(Instant first, Instant last, Duration step, T
       day += 1.0;
       rest = 0.0;
     }
-    epochs.push_back({t, fmt::format("{:.0f}{}", day, fmt::format("{:.12f}", rest).substr(1))});
+    auto const text = fmt::format("{:.0f}{}", day, fmt::format("{:.12f}", rest).substr(1));
+    epochs.push_back({t, text, "--from, --to", fmt::format("{} {}", text, nameOf(scale))});
   }
   return epochs;
 }
@@ -230,6 +239,59 @@ std::vector<Column> valueColumns(const EphemerisRequest& r) {
   return c;
 }
 
+namespace {
+
+// The rows of one epoch, appended.
+void appendRows(const Ephemeris& e, const EphemerisRequest& r, const std::vector<BodyId>& ids,
+                const Epoch& epoch, std::vector<EphemerisRow>& rows) {
+  Instant const t = epoch.instant;
+  std::vector<std::vector<double>> values(ids.size());
+  if (isCartesian(r.frame)) {
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      State const s = stateOf(e, r, ids[i], t);
+      if (r.frame == OutputFrame::Icrf) {
+        values[i] = cartesian(s.position, s.velocity);
+      } else if (r.frame == OutputFrame::Itrf) {
+        values[i] = terrestrial(s, t, r.deltaT);
+      } else if (r.frame == OutputFrame::EquatorJ2000) {
+        auto const turn = equatorJ2000FromIcrs();
+        values[i] = cartesian(turn(s.position), turn(s.velocity));
+      } else {
+        auto const turn = eclipticJ2000FromIcrs();
+        values[i] = cartesian(turn(s.position), turn(s.velocity));
+      }
+    }
+  } else {
+    Observer const eye =
+        r.site ? observerAt(e, *r.site, t, r.deltaT) : observerAt(e, r.centre.id, t);
+    auto const places = apparentPlaces(e, ids, eye, t, correctionsOf(r.correction));
+    auto const ofDate = trueEquatorOfDateFromIcrs(t);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      auto const place = places[i].displacement;
+      if (r.frame == OutputFrame::EquatorialOfDate) {
+        values[i] = spherical(ofDate(place));
+      } else if (r.frame == OutputFrame::EclipticOfDate) {
+        values[i] = spherical(trueEclipticOfDateFromIcrs(t)(place));
+      } else {
+        auto const toHorizon =
+            enuFromItrs(*r.site) * itrsFromTrueEquatorOfDate(t, r.deltaT) * ofDate;
+        auto const h = horizontalFromEnu(directionOf(toHorizon(place)));
+        Angle const lift = r.refraction ? refractionAt(h.altitude, *r.refraction) : Angle();
+        values[i] = {h.azimuth / degree, (h.altitude + lift) / degree,
+                     norm(place) / astronomicalUnit};
+      }
+    }
+  }
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (r.site || r.frame == OutputFrame::Itrf) values[i].push_back(r.deltaT.at(t) / second);
+    rows.push_back({&epoch, &r.bodies[i], std::move(values[i]),
+                    e.theoryName(ids[i], r.centre.id, t),
+                    e.errorBound(ids[i], r.centre.id, t) / arcsecond});
+  }
+}
+
+}  // namespace
+
 std::vector<EphemerisRow> ephemerisRows(const Ephemeris& e, const EphemerisRequest& r,
                                         const std::vector<Epoch>& epochs) {
   std::vector<EphemerisRow> rows;
@@ -237,53 +299,42 @@ std::vector<EphemerisRow> ephemerisRows(const Ephemeris& e, const EphemerisReque
   std::vector<BodyId> ids;
   for (const auto& body : r.bodies) ids.push_back(body.id);
   for (const auto& epoch : epochs) {
-    Instant const t = epoch.instant;
-    std::vector<std::vector<double>> values(ids.size());
-    if (isCartesian(r.frame)) {
-      for (std::size_t i = 0; i < ids.size(); ++i) {
-        State const s = stateOf(e, r, ids[i], t);
-        if (r.frame == OutputFrame::Icrf) {
-          values[i] = cartesian(s.position, s.velocity);
-        } else if (r.frame == OutputFrame::Itrf) {
-          values[i] = terrestrial(s, t, r.deltaT);
-        } else if (r.frame == OutputFrame::EquatorJ2000) {
-          auto const turn = equatorJ2000FromIcrs();
-          values[i] = cartesian(turn(s.position), turn(s.velocity));
-        } else {
-          auto const turn = eclipticJ2000FromIcrs();
-          values[i] = cartesian(turn(s.position), turn(s.velocity));
-        }
-      }
-    } else {
-      Observer const eye =
-          r.site ? observerAt(e, *r.site, t, r.deltaT) : observerAt(e, r.centre.id, t);
-      auto const places = apparentPlaces(e, ids, eye, t, correctionsOf(r.correction));
-      auto const ofDate = trueEquatorOfDateFromIcrs(t);
-      for (std::size_t i = 0; i < ids.size(); ++i) {
-        auto const place = places[i].displacement;
-        if (r.frame == OutputFrame::EquatorialOfDate) {
-          values[i] = spherical(ofDate(place));
-        } else if (r.frame == OutputFrame::EclipticOfDate) {
-          values[i] = spherical(trueEclipticOfDateFromIcrs(t)(place));
-        } else {
-          auto const toHorizon =
-              enuFromItrs(*r.site) * itrsFromTrueEquatorOfDate(t, r.deltaT) * ofDate;
-          auto const h = horizontalFromEnu(directionOf(toHorizon(place)));
-          Angle const lift = r.refraction ? refractionAt(h.altitude, *r.refraction) : Angle();
-          values[i] = {h.azimuth / degree, (h.altitude + lift) / degree,
-                       norm(place) / astronomicalUnit};
-        }
-      }
-    }
-    bool const outside = e.theoryAt(t) == Theory::Series && !e.span().covers(t);
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      if (r.site || r.frame == OutputFrame::Itrf) values[i].push_back(r.deltaT.at(t) / second);
-      rows.push_back({&epoch, &r.bodies[i], std::move(values[i]),
-                      Ephemeris::nameOfTheory(e.theoryAt(t)) + (outside ? "+extrapolated" : ""),
-                      e.errorBound(ids[i], r.centre.id, t) / arcsecond});
+    try {
+      appendRows(e, r, ids, epoch, rows);
+    } catch (const SpanError& error) {
+      throw InputError(fmt::format("{}: found the Julian date {} ({}); allowed by {}: {} to {}{}",
+                                   epoch.source, epoch.given,
+                                   formatIso(epoch.instant, TimeScale::Tt, 0), error.theory(),
+                                   formatIso(error.span().first, TimeScale::Tt, 0),
+                                   formatIso(error.span().last, TimeScale::Tt, 0),
+                                   error.extrapolable() ? "; --extrapolate answers outside" : ""));
     }
   }
   return rows;
+}
+
+std::vector<std::string> unmetErrors(const Ephemeris& e, const EphemerisRequest& r,
+                                     const std::vector<EphemerisRow>& rows, Angle requested) {
+  std::vector<std::string> lines;
+  for (const auto& body : r.bodies) {
+    const EphemerisRow* first = nullptr;
+    double largest = 0.0;
+    for (const auto& row : rows) {
+      if (row.body != &body) continue;
+      if (!first && row.errorBoundArcseconds > requested / arcsecond) first = &row;
+      largest = std::max(largest, row.errorBoundArcseconds);
+    }
+    if (!first) continue;
+    auto const& epoch = *first->epoch;
+    double const reachable =
+        e.untruncatedErrorBound(body.id, r.centre.id, epoch.instant) / arcsecond;
+    lines.push_back(fmt::format(
+        "{}: requested {:g} arcsec; from {} ({}) its error_bound_arcsec is {:.4f}, at most {:.4f} "
+        "in these rows; reachable there with every term of {}: {:.4f} arcsec",
+        body.name, requested / arcsecond, epoch.source, epoch.given, first->errorBoundArcseconds,
+        largest, first->theory, reachable));
+  }
+  return lines;
 }
 
 }  // namespace antumbra

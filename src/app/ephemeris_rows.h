@@ -30,10 +30,11 @@ struct NamedBody {
 std::vector<NamedBody> bodiesFromList(const std::string& list, const std::string& where);
 NamedBody bodyFromCommandName(const std::string& name, const std::string& where);
 
-// An instant and the text of the Julian date that stands for it in the output.
+// An instant, the text of the Julian date that stands for it in the output, and for errors where
+// it was given ("FILE:LINE", "-:LINE" or options) and how ("1e6 UT1").
 struct Epoch {
   Instant instant;
-  std::string julianDate;
+  std::string julianDate, source, given;
 };
 // One Julian date per line, '#' comments; "-" is standard input. Throws InputError with file and
 // line; an input without any date is an error.
@@ -68,7 +69,13 @@ struct Column {
   int decimals = 9;
 };
 std::vector<Column> valueColumns(const EphemerisRequest& request);
+// Throws InputError naming the epoch's source where a theory does not reach it.
 std::vector<EphemerisRow> ephemerisRows(const Ephemeris& ephemeris, const EphemerisRequest& request,
                                         const std::vector<Epoch>& epochs);
+
+// One line for each body of which a row states a larger error than `requested`: the first such
+// date, what its row states and what every term would reach.
+std::vector<std::string> unmetErrors(const Ephemeris& ephemeris, const EphemerisRequest& request,
+                                     const std::vector<EphemerisRow>& rows, Angle requested);
 
 }  // namespace antumbra

@@ -238,11 +238,31 @@ Theory Ephemeris::theoryAt(Instant t) const {
   if (tables_ && tableSpan().covers(t)) return Theory::Table;
   if (options_.theory == Theory::Table) throw SpanError("the DE431 table", t, tableSpan());
   if (!options_.extrapolate && !span().covers(t))
-    throw SpanError("VSOP87 and ELP/MPP02", t, span());
+    throw SpanError("VSOP87 and ELP/MPP02", t, span(), true);
   return Theory::Series;
 }
 
+std::string Ephemeris::theoryName(BodyId target, BodyId centre, Instant t) const {
+  Theory const theory = theoryAt(t);
+  bool fitted = false, outside = theory == Theory::Series && !span().covers(t);
+  for (BodyId body : {target, centre}) {
+    const auto* series = satelliteOf_[static_cast<std::size_t>(body)];
+    if (!series) continue;
+    bool const covered = series->covers(t.tdbDaysSinceJ2000());
+    fitted = fitted || covered || isSatellite(body);
+    outside = outside || (isSatellite(body) && !covered);
+  }
+  return nameOfTheory(theory) + (fitted ? "+moons-fit" : "") + (outside ? "+extrapolated" : "");
+}
+
 Angle Ephemeris::errorBound(BodyId target, BodyId centre, Instant t) const {
+  Angle bound = untruncatedErrorBound(target, centre, t);
+  if (theoryAt(t) != Theory::Table)
+    if (const auto* cut = truncated(target, t)) bound += kTierMargin * cut->measuredError;
+  return bound;
+}
+
+Angle Ephemeris::untruncatedErrorBound(BodyId target, BodyId centre, Instant t) const {
   Angle largest;
   bool const table = theoryAt(t) == Theory::Table;
   for (BodyId body : {systemOf(target), systemOf(centre)}) {
@@ -271,14 +291,15 @@ Angle Ephemeris::errorBound(BodyId target, BodyId centre, Instant t) const {
     double const distance = glm::length(state(target, centre, t).position.m);
     bool const covered = series->covers(t.tdbDaysSinceJ2000());
     // Outside its series a planet's centre may lie this far from the barycentre.
-    double const metres = covered || isSatellite(body) ? series->residual / metre
-                          : body == BodyId::Pluto      ? 2.2e6
-                          : body == BodyId::Saturn     ? 3.1e5
-                                                       : 2.3e5;
+    double const metres =
+        covered ? series->residual / metre
+        : isSatellite(body)
+            ? 2.0 * glm::length(withinSystem(body, t.tdbDaysSinceJ2000()).position.m)
+        : body == BodyId::Pluto  ? 2.2e6
+        : body == BodyId::Saturn ? 3.1e5
+                                 : 2.3e5;
     largest += metres / distance * radian;
   }
-  if (!table)
-    if (const auto* cut = truncated(target, t)) largest += kTierMargin * cut->measuredError;
   return largest;
 }
 

@@ -67,9 +67,15 @@ class Ephemeris {
   Theory theoryAt(Instant t) const;
   // "de431-table" or "vsop87+elpmpp02".
   static std::string nameOfTheory(Theory theory);
+  // What answers for this pair: nameOfTheory, "+moons-fit" where a fitted series of the moons' file
+  // takes part (also for a planet about its barycentre), "+extrapolated" outside a theory's span.
+  std::string theoryName(BodyId target, BodyId centre, Instant t) const;
   // The largest error to expect of the direction from centre to target, against JPL DE431: measured
-  // floor of the theory, by epoch, and what truncation adds.
+  // floor of the theory, by epoch, and what truncation adds. A moon outside its series may stand
+  // anywhere on its orbit: the bound is that orbit's width.
   Angle errorBound(BodyId target, BodyId centre, Instant t) const;
+  // The same with every term kept: no requested error reaches below it.
+  Angle untruncatedErrorBound(BodyId target, BodyId centre, Instant t) const;
   // The span over which every body but Pluto is known: -3000 to 3000, or the table's.
   Span span() const;
   static Span tableSpan();

@@ -21,7 +21,7 @@ bool SatelliteSeries::covers(double tdbDays) const {
 
 State SatelliteSeries::state(double tdbDays, bool extrapolate) const {
   if (!extrapolate && !covers(tdbDays))
-    throw SpanError(body, Instant::fromTdb({kJ2000, tdbDays}), span());
+    throw SpanError("the series of " + body, Instant::fromTdb({kJ2000, tdbDays}), span(), true);
   double const d = tdbDays - middleTdbDays, t = d / halfSpanDays;
   double warp = 0.0, warpRate = 0.0;  // of the drift, per unit of t
   for (int k = 3; k >= 0; --k) {

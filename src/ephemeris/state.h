@@ -30,10 +30,15 @@ struct Span {
 // A date outside the span over which a theory is stated to hold; carries the span.
 class SpanError : public InputError {
  public:
-  SpanError(const std::string& theory, Instant asked, Span span);
+  // `extrapolable`: Ephemeris::Options::extrapolate would answer.
+  SpanError(const std::string& theory, Instant asked, Span span, bool extrapolable = false);
+  const std::string& theory() const { return theory_; }
   Span span() const { return span_; }
+  bool extrapolable() const { return extrapolable_; }
 
  private:
+  std::string theory_;
+  bool extrapolable_;
   Span span_;
 };
 
