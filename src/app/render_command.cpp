@@ -1,6 +1,7 @@
 // `antumbra render`: a scene to pictures, without any display.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -52,7 +53,10 @@ std::string fileOfFrame(const std::string& pattern, int frame) {
         "-o: found \"{}\"; allowed: a name with at most one %d or %0Nd for the frame's number",
         pattern));
   int const digits = width.empty() ? 1 : static_cast<int>(parseInteger(width, "-o"));
-  return pattern.substr(0, start) + fmt::format("{:0{}}", frame, digits) + pattern.substr(end + 1);
+  std::string const rest = pattern.substr(end + 1);
+  if (rest.find('%') != std::string::npos)
+    throw InputError(fmt::format("-o: found \"{}\"; allowed: at most one %d or %0Nd", pattern));
+  return pattern.substr(0, start) + fmt::format("{:0{}}", frame, digits) + rest;
 }
 
 void writeAll(const std::vector<std::string>& outputs, int frame, const FinishedPicture& picture,
@@ -75,6 +79,8 @@ void render(const Options& options) {
     throw InputError("-o: missing; a picture file (.png or .exr) or --explain is required");
   }
   for (auto const& pattern : options.outputs) {
+    if (std::count(options.outputs.begin(), options.outputs.end(), pattern) > 1)
+      throw InputError(fmt::format("-o: found \"{}\" twice; allowed: each file once", pattern));
     checkOutputFile(fileOfFrame(pattern, first), "-o");
     if (last > first && fileOfFrame(pattern, first) == fileOfFrame(pattern, last))
       throw InputError(fmt::format(
@@ -121,9 +127,10 @@ void addRenderCommand(CLI::App& program) {
   command->add_option("--size", options->overrides.size, "WIDTHxHEIGHT, as 2048x2048");
   command->add_option("--projection", options->overrides.projection,
                       "perspective, fisheye or equirectangular");
-  command->add_option("--quality", options->overrides.quality, "draft, balanced or accurate");
+  command->add_option("--quality", options->overrides.quality,
+                      "draft, balanced, accurate or reference");
   command->add_option("--look", options->overrides.look, "natural or illustrative");
-  command->add_option("--delta-t", options->overrides.deltaTSeconds,
+  command->add_option("--delta-t", options->overrides.deltaT,
                       "TT - UT1 in seconds instead of the table's");
   command->add_option("--frames", options->frames, "FIRST:LAST of an animation, both drawn");
   command->add_flag("--explain", options->explain,

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <exception>
+#include <stdexcept>
 
 #include "document/input_error.h"
 #include "gl/device_error.h"
@@ -29,6 +31,8 @@ int runProgram(CLI::App& program, int argc, char** argv) {
   try {
     requireKnownCommand(program, argc, argv);
     program.parse(argc, argv);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+      throw std::runtime_error("standard output cannot be written");
     return 0;
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? 0 : 2;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <filesystem>
 #include <set>
 
@@ -11,6 +12,27 @@
 #include "eclipse/contact_instant.h"
 
 namespace antumbra {
+namespace {
+
+Duration givenDeltaT(const std::string& text) {
+  double const seconds = parseNumber(text, "--delta-t");
+  if (std::fabs(seconds) > 1e6)
+    throw InputError(
+        fmt::format("--delta-t: found {}; allowed: -1000000 to 1000000 seconds", text));
+  return seconds * second;
+}
+
+// Presets are the files of configs/quality.
+void requireQuality(const std::string& name, const std::string& where) {
+  std::set<std::string> presets;
+  for (auto const& entry : std::filesystem::directory_iterator(configsFolder() / "quality"))
+    if (entry.path().extension() == ".toml") presets.insert(entry.path().stem().string());
+  if (!presets.contains(name))
+    throw InputError(
+        fmt::format("{}: found \"{}\"; allowed: {}", where, name, fmt::join(presets, ", ")));
+}
+
+}  // namespace
 
 void applySize(const std::string& text, const std::string& where, Projection& picture) {
   auto const cross = text.find('x');
@@ -26,19 +48,9 @@ void applySize(const std::string& text, const std::string& where, Projection& pi
   picture.height = static_cast<int>(height);
 }
 
-// Presets are the files of configs/quality.
-void requireQuality(const std::string& name, const std::string& where) {
-  std::set<std::string> presets;
-  for (auto const& entry : std::filesystem::directory_iterator(configsFolder() / "quality"))
-    if (entry.path().extension() == ".toml") presets.insert(entry.path().stem().string());
-  if (!presets.contains(name))
-    throw InputError(
-        fmt::format("{}: found \"{}\"; allowed: {}", where, name, fmt::join(presets, ", ")));
-}
-
 SceneSession::SceneSession(const std::string& file, const SceneOverrides& o)
     : scene_(readScene(file)),
-      deltaT_(o.deltaTSeconds ? DeltaT::fixed(*o.deltaTSeconds * second) : DeltaT::standard()) {
+      deltaT_(o.deltaT.empty() ? DeltaT::standard() : DeltaT::fixed(givenDeltaT(o.deltaT))) {
   if (!o.time.empty()) {
     scene_.time = o.time;
     scene_.timeWhere = "--time";
@@ -74,7 +86,7 @@ SceneSession::SceneSession(const std::string& file, const SceneOverrides& o)
   if (looksLikeContact(scene_.time)) {
     EclipseBasis basis;
     basis.convention = ShadowConvention::named(scene_.shadows.convention, scene_.file);
-    if (o.deltaTSeconds) basis.deltaT = *o.deltaTSeconds * second;
+    if (!o.deltaT.empty()) basis.deltaT = givenDeltaT(o.deltaT);
     start_ = contactInstant(scene_.time, basis, scene_.timeWhere);
   } else {
     start_ = parseInstant(scene_.time, scene_.timeWhere, deltaT_);

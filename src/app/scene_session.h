@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,7 +22,7 @@ struct SceneOverrides {
   std::string projection;
   std::string quality;
   std::string look;
-  std::optional<double> deltaTSeconds;
+  std::string deltaT;  // TT - UT1 in seconds
 };
 
 class SceneSession {

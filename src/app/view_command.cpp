@@ -113,9 +113,11 @@ void addViewCommand(CLI::App& program) {
   command->add_option("--size", options->overrides.size, "WIDTHxHEIGHT of the window");
   command->add_option("--projection", options->overrides.projection,
                       "perspective, fisheye or equirectangular");
-  command->add_option("--quality", options->overrides.quality, "draft, balanced or accurate");
+  command->add_option("--quality", options->overrides.quality,
+                      "draft, balanced, accurate or reference");
   command->add_option("--look", options->overrides.look, "natural or illustrative");
-  command->add_option("--quit-after", options->quitAfter, "Close after so many frames (0: never)");
+  command->add_option("--quit-after", options->quitAfter, "Close after so many frames (0: never)")
+      ->check(CLI::NonNegativeNumber);
   command->footer(
       "Mouse: drag to look, wheel to zoom. Keys: space runs and pauses; , and . step back and\n"
       "forward; [ and ] slow down and speed up (through zero to backwards); q quits.\n"

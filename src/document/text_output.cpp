@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "document/input_error.h"
+#include "document/whole_file.h"
 
 namespace antumbra {
 
@@ -17,19 +18,16 @@ void writeTextFile(const std::string& file, const std::string& content) {
       throw std::runtime_error("standard output cannot be written");
     return;
   }
-  std::filesystem::path const part = file + ".part";
-  std::ofstream out(part, std::ios::binary);
-  out << content;
-  out.close();
-  std::error_code failed;
-  if (out) std::filesystem::rename(part, file, failed);
-  if (!out || failed) {
-    std::filesystem::remove(part, failed);
-    throw InputError(
-        fmt::format("-o: found \"{}\", which cannot be written; allowed: a file in an existing "
-                    "folder, or - for standard output",
-                    file));
-  }
+  writeWholeFile(file, "-o", [&](const std::filesystem::path& temporary) {
+    std::ofstream out(temporary, std::ios::binary);
+    out << content;
+    out.close();
+    if (!out)
+      throw InputError(
+          fmt::format("-o: found \"{}\", which cannot be written; allowed: a file in an existing "
+                      "folder, or - for standard output",
+                      file));
+  });
 }
 
 }  // namespace antumbra

@@ -4,7 +4,6 @@
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 
@@ -15,24 +14,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Writes to a name of its own in the target's folder, then renames; removes it on any failure.
-void writeThenRename(const fs::path& file, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
-                     const void* pixels) {
-  fs::path const temporary = file.parent_path() / fmt::format(".{}.{}{}", file.stem().string(),
-                                                              getpid(), file.extension().string());
+void writeImage(const fs::path& file, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
+                const void* pixels) {
   auto const fail = [&](const std::string& why) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
     throw InputError(fmt::format("{}: cannot be written: {}", file.string(), why));
   };
-  auto output = OIIO::ImageOutput::create(temporary.string());
+  auto output = OIIO::ImageOutput::create(file.string());
   if (!output) fail(OIIO::geterror());
-  if (!output->open(temporary.string(), spec)) fail(output->geterror());
+  if (!output->open(file.string(), spec)) fail(output->geterror());
   if (!output->write_image(type, pixels)) fail(output->geterror());
   if (!output->close()) fail(output->geterror());
-  std::error_code error;
-  fs::rename(temporary, file, error);
-  if (error) fail(error.message());
 }
 
 OIIO::ImageSpec specOf(int width, int height, OIIO::TypeDesc type, const Metadata& metadata) {
@@ -46,7 +37,7 @@ void encodePng(const fs::path& file, int width, int height, const std::vector<st
   auto spec = specOf(width, height, OIIO::TypeDesc::UINT8, metadata);
   spec.attribute("oiio:ColorSpace", "sRGB");
   spec.attribute("png:compressionLevel", 6);
-  writeThenRename(file, spec, OIIO::TypeDesc::UINT8, srgb.data());
+  writeImage(file, spec, OIIO::TypeDesc::UINT8, srgb.data());
 }
 
 void encodeExr(const fs::path& file, int width, int height, const std::vector<float>& linear,
@@ -58,7 +49,7 @@ void encodeExr(const fs::path& file, int width, int height, const std::vector<fl
   static const float chromaticities[8] = {0.64f, 0.33f, 0.30f,   0.60f,
                                           0.15f, 0.06f, 0.3127f, 0.3290f};
   spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), chromaticities);
-  writeThenRename(file, spec, OIIO::TypeDesc::FLOAT, linear.data());
+  writeImage(file, spec, OIIO::TypeDesc::FLOAT, linear.data());
 }
 
 DecodedImage decodeImage(const fs::path& file, const std::string& where) {

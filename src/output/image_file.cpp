@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "document/input_error.h"
+#include "document/whole_file.h"
 #include "output/image_codec.h"
 
 namespace antumbra {
@@ -35,12 +36,16 @@ const ImageCodec& codec() {
 
 void writePng(const fs::path& file, int width, int height, const std::vector<std::uint8_t>& srgb,
               const Metadata& metadata) {
-  codec().writePng(file, width, height, srgb, metadata);
+  writeWholeFile(file, "-o", [&](const fs::path& temporary) {
+    codec().writePng(temporary, width, height, srgb, metadata);
+  });
 }
 
 void writeExr(const fs::path& file, int width, int height, const std::vector<float>& linear,
               const Metadata& metadata) {
-  codec().writeExr(file, width, height, linear, metadata);
+  writeWholeFile(file, "-o", [&](const fs::path& temporary) {
+    codec().writeExr(temporary, width, height, linear, metadata);
+  });
 }
 
 void checkOutputFile(const fs::path& file, const std::string& where) {

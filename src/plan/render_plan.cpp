@@ -166,7 +166,14 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
       plan.sun.hiddenBy = b.name;
     }
   }
-  plan.drawSun = !plan.sun.hiddenByBody;
+  // The corona is drawn to 45 solar radii (passes/corona.h).
+  bool const nearPicture =
+      overlapsPicture(picture, plan.sun.direction, 45.0 * plan.sun.angularRadius);
+  plan.drawSun = nearPicture && !plan.sun.hiddenByBody;
+  if (plan.drawSun)
+    plan.drawn.push_back({sun->body->name, plan.sun.inPicture
+                                               ? "its disc is in the picture"
+                                               : "its corona reaches into the picture"});
   plan.queryOcclusion = plan.drawSun && plan.sun.inPicture && !scene.display.illustrative;
 
   std::set<std::string> media;

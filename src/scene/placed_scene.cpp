@@ -36,14 +36,15 @@ Footing footingOn(const Body& body, const CameraPlacement& camera) {
   return {{{x, y, z}}, {glm::transpose(bodyFromEnu)}};
 }
 
-void refuseInside(const Scene& scene, const Body& body, Displacement<BodyFixed> camera) {
-  double const a = body.equatorialRadius.si, c = body.polarRadius.si;
-  glm::dvec3 const s{camera.m.x / a, camera.m.y / a, camera.m.z / c};
-  // The deepest dry land lies 430 m below its spheroid; a thousandth of the radius is deeper.
-  if (glm::length(s) < 1.0 - 1e-3)
-    throw InputError(fmt::format(
-        "{}: [camera]: the camera is inside {}, {:.3f} km below its surface; allowed: above it",
-        scene.file, body.name, (1.0 - glm::length(s)) * a / 1e3));
+void refuseInside(const CameraPlacement& camera, const Body& body) {
+  // The deepest dry land of the Earth lies 430 m below its spheroid; other bodies have basins of
+  // several kilometres.
+  Length const deepest = body.name == "Earth" ? -500.0 * metre : -1e-3 * body.equatorialRadius;
+  if (camera.height < deepest)
+    throw InputError(
+        fmt::format("{}: found {:.6g} m, which puts the camera inside {}; allowed: {:.6g} m "
+                    "or more above its spheroid",
+                    camera.heightWhere, camera.height / metre, body.name, deepest / metre));
 }
 
 Rotation<CameraAxes, Enu> cameraFromEnu(const CameraPlacement& camera, glm::dvec3 forward) {
@@ -101,7 +102,10 @@ PlacedScene placeScene(const Scene& scene, Instant when, const BodyCatalogue& ca
     for (auto const& [key, body] : catalogue.all()) wanted.push_back(&body);
   for (auto const& name : scene.bodies)
     wanted.push_back(&catalogue.body(name, scene.file + ": bodies"));
-  const Body& anchor = catalogue.body(scene.camera.body, scene.file + ": [camera] body");
+  const Body& anchor = catalogue.body(scene.camera.body, scene.camera.bodyWhere);
+  if (anchor.kind == "star")
+    throw InputError(fmt::format("{}: found {}, a star; allowed: a planet or a moon",
+                                 scene.camera.bodyWhere, anchor.name));
   auto const require = [&](const Body* body) {
     for (auto const* w : wanted)
       if (w == body) return;
@@ -117,7 +121,7 @@ PlacedScene placeScene(const Scene& scene, Instant when, const BodyCatalogue& ca
   placed.deltaTSource = deltaT.explain(when).source;
 
   Footing const footing = footingOn(anchor, scene.camera);
-  refuseInside(scene, anchor, footing.fromCentre);
+  refuseInside(scene.camera, anchor);
   auto const anchorAxes = axesOf(anchor, when, deltaT);
   placed.cameraOnAnchor = footing.fromCentre;
   placed.cameraFromAnchor = anchorAxes.inverse()(footing.fromCentre);
@@ -166,7 +170,7 @@ PlacedScene placeScene(const Scene& scene, Instant when, const BodyCatalogue& ca
   } else if (camera.target == "zenith") {
     forward = {0, 0, 1};
   } else if (!camera.target.empty()) {
-    const Body& target = catalogue.body(camera.target, scene.file + ": [camera] target");
+    const Body& target = catalogue.body(camera.target, camera.targetWhere);
     for (auto const& b : placed.bodies)
       if (b.body == &target) forward = placed.enuFromIcrs(directionOf(b.fromCamera)).u;
   } else {

@@ -16,6 +16,9 @@ void requireWithin(const Table& table, const char* key, Angle value, double low,
 CameraPlacement readCamera(const Table& table) {
   CameraPlacement c;
   c.body = table.text("body", c.body);
+  c.bodyWhere = table.where("body");
+  c.heightWhere = table.where("height");
+  c.targetWhere = table.where("target");
   c.latitude = table.angle("latitude");
   requireWithin(table, "latitude", c.latitude, -90.0, 90.0);
   c.longitude = table.angle("longitude");

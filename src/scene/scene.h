@@ -51,6 +51,9 @@ namespace antumbra {
 
 struct CameraPlacement {
   std::string body = "Earth";
+  std::string bodyWhere = "[camera] body";  // opens messages about it
+  std::string heightWhere = "[camera] height";
+  std::string targetWhere = "[camera] target";
   Angle latitude;
   Angle longitude;
   Length height;

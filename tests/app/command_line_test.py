@@ -97,7 +97,7 @@ class CommandLine(unittest.TestCase):
         self.refused(["render", self.scene("s.toml", ('"76 m"', '"-100 km"')), "-o", out],
                      "inside Earth")
         self.refused(["render", self.scene("s.toml", ('"zenith"', '"Vulcan"')), "-o", out],
-                     "Vulcan", "Mercury")
+                     "s.toml:", "Vulcan", "Mercury")
         self.refused(["render", self.scene("s.toml", ("max 2027-08-02 @25.687,32.640,76", "2027-13-02T00:00:00Z")), "-o", out],
                      "s.toml:")
         self.refused(["render", self.scene("s.toml", ("max 2027-08-02 @25.687,32.640,76", "9999-08-02T00:00:00Z")), "-o", out],
@@ -116,6 +116,10 @@ class CommandLine(unittest.TestCase):
         self.refused(["render", scene, "-o", out, "--time", "noon"], "--time", "noon")
         self.refused(["render", scene, "-o", out, "--quality", "best"], "best", "balanced")
         self.refused(["render", str(SCENES / "descent.toml"), "-o", out], "%02d")
+        for value in "nan", "inf", "1e30", "foo":
+            self.refused(["render", scene, "-o", out, "--delta-t", value], "--delta-t", value)
+        self.refused(["render", scene, "-o", out, "-o", out], "-o", "twice")
+        self.refused(["render", scene, "-o", str(self.path / "a_%d_%d.png")], "at most one")
         self.refused(["paint"], "paint")
 
     def test_names_what_it_tried_without_a_device(self):

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 #include <fstream>
 
 #include "document/input_error.h"
@@ -49,6 +51,17 @@ TEST_F(ImageFile, LeavesNothingBehindOnFailure) {
   std::ofstream(folder / "b.png" / "x") << "x";
   EXPECT_THROW(writePng(folder / "b.png", 1, 1, {1, 2, 3}, {}), InputError);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
+}
+
+TEST_F(ImageFile, FollowsALinkAndRefusesWhatIsNoRegularFile) {
+  writePng(folder / "real.png", 1, 1, {1, 2, 3}, {});
+  fs::create_symlink(folder / "real.png", folder / "link.png");
+  writePng(folder / "link.png", 1, 1, {200, 200, 200}, {});
+  EXPECT_TRUE(fs::is_symlink(folder / "link.png"));
+  EXPECT_EQ(readImage(folder / "real.png", "map").texels[0], 200);
+  ASSERT_EQ(mkfifo((folder / "pipe.png").c_str(), 0600), 0);
+  EXPECT_THROW(writePng(folder / "pipe.png", 1, 1, {1, 2, 3}, {}), InputError);
+  EXPECT_TRUE(fs::is_fifo(folder / "pipe.png"));
 }
 
 TEST_F(ImageFile, ExplainsAnUnreadableMap) {

@@ -92,7 +92,18 @@ TEST(RenderPlan, RefusesACameraInsideABody) {
   scene.camera.height = -100.0 * kilometre;
   EXPECT_THAT([&] { planOf(scene, "2027-08-02T10:05:06Z"); },
               testing::ThrowsMessage<InputError>(
-                  testing::AllOf(HasSubstr("inside Earth"), HasSubstr("[camera]"))));
+                  testing::AllOf(HasSubstr("inside Earth"), HasSubstr(".toml:"))));
+}
+
+TEST(RenderPlan, RefusesToStandOnTheSunAndNamesTheLine) {
+  Scene scene = shipped("luxor_dome");
+  scene.camera.body = "Sun";
+  EXPECT_THAT([&] { planOf(scene, "2027-08-02T10:05:06Z"); },
+              testing::ThrowsMessage<InputError>(
+                  testing::AllOf(HasSubstr("luxor_dome.toml:"), HasSubstr("a star"))));
+  scene.camera.body = "Earth";
+  scene.camera.height = -5.0 * kilometre;
+  EXPECT_THROW(planOf(scene, "2027-08-02T10:05:06Z"), InputError);
 }
 
 }  // namespace

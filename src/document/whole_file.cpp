@@ -1,0 +1,37 @@
+#include "document/whole_file.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "document/input_error.h"
+
+namespace antumbra {
+namespace fs = std::filesystem;
+
+void writeWholeFile(const fs::path& target, const std::string& where,
+                    const std::function<void(const fs::path& temporary)>& write) {
+  std::error_code error;
+  fs::path const real = fs::weakly_canonical(target, error);
+  if (error)
+    throw InputError(fmt::format("{}: found \"{}\": {}", where, target.string(), error.message()));
+  if (fs::exists(real) && !fs::is_regular_file(real))
+    throw InputError(
+        fmt::format("{}: found \"{}\", which is a folder or a device; allowed: a "
+                    "regular file",
+                    where, target.string()));
+  fs::path const temporary = real.parent_path() / fmt::format(".{}.{}{}", real.stem().string(),
+                                                              getpid(), real.extension().string());
+  try {
+    write(temporary);
+    fs::rename(temporary, real);
+  } catch (const fs::filesystem_error& failure) {
+    fs::remove(temporary, error);
+    throw InputError(fmt::format("{}: \"{}\" cannot be written: {}", where, target.string(),
+                                 failure.code().message()));
+  } catch (...) {
+    fs::remove(temporary, error);
+    throw;
+  }
+}
+
+}  // namespace antumbra
