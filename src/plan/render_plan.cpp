@@ -199,7 +199,9 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
       passes.push_back({"sun", "disc and corona; nothing covers all of it"});
     sunPassed = true;
   };
-  if (!plan.drawSun) plan.leftOut.push_back({"sun", "wholly behind " + plan.sun.hiddenBy});
+  if (!plan.drawSun)
+    plan.leftOut.push_back({"sun", plan.sun.hiddenByBody ? "wholly behind " + plan.sun.hiddenBy
+                                                         : "outside the picture"});
   for (auto const& b : plan.bodies) {
     if (!b.atmosphere.empty()) passSun();
     passes.push_back(
