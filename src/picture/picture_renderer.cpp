@@ -84,7 +84,9 @@ struct PictureRenderer::State {
   std::optional<Exposure> liveExposure;
   std::unique_ptr<SunOcclusion> occlusion;
   std::optional<VisibleSun> visibleSun;
+  SunlightThroughAir throughAir;
   glm::dvec3 airBeforeSun{1.0};
+  std::vector<StarPoint> stars;  // of the picture in hand
 
   ProjectionPasses& passesFor(ProjectionKind kind) {
     return byProjection.try_emplace(kind, kind).first->second;
@@ -125,7 +127,7 @@ struct PictureRenderer::State {
     auto const ask = [&] { occlusion->ask(sun, plane, silhouettes); };
     ask();
     visibleSun = mode == Mode::OffLine ? std::optional(occlusion->wait()) : occlusion->newest();
-    airBeforeSun = sunlightThroughAir(plan);
+    airBeforeSun = throughAir.share(plan);
     counters.occlusionQueries = occlusion->queriesIssued();
     if (observer)
       observer("occlusion query", [&] {
@@ -135,7 +137,8 @@ struct PictureRenderer::State {
   }
 
   // Makes resident what a picture needs, and what belongs to its instant alone.
-  void prepare(const Scene& scene, const RenderPlan& plan) {
+  void prepare(const Scene& scene, const PlacedScene& placed, const RenderPlan& plan) {
+    stars = starPoints(scene, placed);
     if (!bodies || quality != scene.quality) {
       bodies = std::make_unique<BodiesPass>(images, AirQuality::preset(scene.quality),
                                             mode == Mode::OffLine);
@@ -155,8 +158,7 @@ struct PictureRenderer::State {
   }
 
   // Draws all light of a tile of the picture into `linear`.
-  void drawTile(const Scene& scene, const PlacedScene& placed, const RenderPlan& plan,
-                glm::ivec2 origin) {
+  void drawTile(const Scene& scene, const RenderPlan& plan, glm::ivec2 origin) {
     ProjectionPasses& passes = passesFor(plan.picture.kind);
     viewBlock.write(gl::viewBlockOf(plan.picture, origin));
     viewBlock.bindUniform(0);
@@ -165,7 +167,6 @@ struct PictureRenderer::State {
     glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
 
-    auto const stars = starPoints(scene, placed);
     Eye eye;
     eye.magnification = magnificationOf(plan.picture);
     run("stars", [&] {
@@ -194,9 +195,9 @@ struct PictureRenderer::State {
     drawBodies(plan.bodies.begin(), firstAir);
     LimbDarkeningLaw const law =
         parseLimbDarkeningLaw(scene.shadows.limbDarkening, scene.file + ": [shadows]");
+    SunInView const sun = sunInView(plan, law);
+    SunPlane const plane(sun);
     if (plan.drawSun) {
-      SunInView const sun = sunInView(plan, law);
-      SunPlane const plane(sun);
       // Bodies with air cover the Sun themselves, for their air reddens and dims it first.
       std::vector<SpheroidInView> airless;
       for (auto const& body : plan.bodies)
@@ -208,8 +209,7 @@ struct PictureRenderer::State {
     }
     drawBodies(firstAir, plan.bodies.end());
     if (visibleSun) {
-      SunPlane const plane(sunInView(plan, law));
-      glm::dvec3 const sunlight = sunInView(plan, law).illuminanceLux * airBeforeSun;
+      glm::dvec3 const sunlight = sun.illuminanceLux * airBeforeSun;
       linearTarget.bind();
       run("glare", [&] { passes.glare.draw(plan.picture, plane, *visibleSun, sunlight, eye); });
     }
@@ -246,12 +246,12 @@ FinishedPicture PictureRenderer::finish(const Scene& scene, const PlacedScene& p
         std::max(1, static_cast<int>(std::lround(double(height) * copy.picture.width / width)));
     copy.rescaleBounds(plan.picture);
     s.resize(copy.picture.width, copy.picture.height);
-    s.prepare(scene, copy);
-    s.drawTile(scene, placed, copy, {0, 0});
+    s.prepare(scene, placed, copy);
+    s.drawTile(scene, copy, {0, 0});
     exposure = s.exposureOf(scene, toneMap.measure(s.linear));
   }
 
-  s.prepare(scene, plan);
+  s.prepare(scene, placed, plan);
   FinishedPicture picture;
   picture.width = width;
   picture.height = height;
@@ -262,7 +262,7 @@ FinishedPicture PictureRenderer::finish(const Scene& scene, const PlacedScene& p
     for (int x = 0; x < width; x += largest) {
       int const w = std::min(largest, width - x), h = std::min(largest, height - y);
       s.resize(w, h);
-      s.drawTile(scene, placed, plan, {x, y});
+      s.drawTile(scene, plan, {x, y});
       if (!tiled) exposure = s.exposureOf(scene, toneMap.measure(s.linear));
       s.run("tone map", [&] { toneMap.apply(s.linear, exposure, &s.displayTarget, {x, y}); });
       std::vector<float> linear(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 3);
@@ -294,8 +294,8 @@ void PictureRenderer::show(const Scene& scene, const PlacedScene& placed, const 
   State& s = *state_;
   ToneMap& toneMap = s.passesFor(plan.picture.kind).toneMap;
   s.resize(plan.picture.width, plan.picture.height);
-  s.prepare(scene, plan);
-  s.drawTile(scene, placed, plan, {0, 0});
+  s.prepare(scene, placed, plan);
+  s.drawTile(scene, plan, {0, 0});
   if (!scene.display.automaticExposure) {
     s.liveExposure = Exposure{scene.display.whiteLuminance};
   } else if (!s.liveExposure) {

@@ -5,7 +5,6 @@
 
 #include "atmosphere/single_scattering.h"
 #include "document/paths.h"
-#include "medium/medium.h"
 #include "photometry/colour.h"
 #include "photometry/spectral_weights.h"
 #include "photometry/standard_spectra.h"
@@ -18,10 +17,11 @@ glm::dvec3 solarIlluminanceAtOneAu() {
   return lux;
 }
 
-glm::dvec3 sunlightThroughAir(const RenderPlan& plan) {
-  auto const wavelengths = defaultWavelengths(16);
-  auto const weights = linearSrgbWeights(wavelengths);
-  std::vector<double> passed(wavelengths.size(), 1.0);
+SunlightThroughAir::SunlightThroughAir()
+    : wavelengths_(defaultWavelengths(16)), weights_(linearSrgbWeights(wavelengths_)) {}
+
+glm::dvec3 SunlightThroughAir::share(const RenderPlan& plan) {
+  std::vector<double> passed(wavelengths_.size(), 1.0);
   bool any = false;
   for (const PlannedBody& body : plan.bodies) {
     if (body.atmosphere.empty()) continue;
@@ -29,8 +29,13 @@ glm::dvec3 sunlightThroughAir(const RenderPlan& plan) {
     glm::dmat3 const& turn = body.bodyFromCamera.matrix;
     glm::dvec3 const up = glm::normalize(stretch * (turn * -body.centre.m));
     glm::dvec3 const sun = glm::normalize(stretch * (turn * plan.sun.direction.u));
-    Medium const medium =
-        readMedium(catalogsFolder() / "atmospheres" / (body.atmosphere + ".toml"));
+    auto known = media_.find(body.atmosphere);
+    if (known == media_.end())
+      known = media_
+                  .emplace(body.atmosphere, readMedium(catalogsFolder() / "atmospheres" /
+                                                       (body.atmosphere + ".toml")))
+                  .first;
+    Medium const& medium = known->second;
     double const r = medium.radius.si + std::max(body.cameraHeight.si, 0.0);
     double const cosine = glm::dot(up, sun);
     double const sine = glm::length(glm::cross(up, sun));
@@ -39,16 +44,16 @@ glm::dvec3 sunlightThroughAir(const RenderPlan& plan) {
         -std::sqrt(std::max(0.0, 1.0 - std::pow(medium.radius.si / r, 2.0))) + 1e-7;
     double const c = std::max(cosine, grazing);
     double const s = c == cosine ? sine : std::sqrt(1.0 - c * c);
-    for (std::size_t i = 0; i < wavelengths.size(); ++i)
+    for (std::size_t i = 0; i < wavelengths_.size(); ++i)
       passed[i] *= transmittance(medium, Position<AirFrame>{{0.0, 0.0, r}},
-                                 Direction<AirFrame>{{s, 0.0, c}}, wavelengths[i]);
+                                 Direction<AirFrame>{{s, 0.0, c}}, wavelengths_[i]);
     any = true;
   }
   if (!any) return glm::dvec3(1.0);
   glm::dvec3 through(0.0), whole(0.0);
-  for (std::size_t i = 0; i < wavelengths.size(); ++i) {
-    through += weights[i] * passed[i];
-    whole += weights[i];
+  for (std::size_t i = 0; i < wavelengths_.size(); ++i) {
+    through += weights_[i] * passed[i];
+    whole += weights_[i];
   }
   return glm::max(through / whole, 0.0);
 }

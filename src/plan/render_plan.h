@@ -45,7 +45,6 @@ struct RenderPlan {
   PlannedSun sun;
   bool drawSun = false;
   bool queryOcclusion = false;
-  bool drawStars = true;
 
   std::vector<Reason> drawn;    // bodies and points
   std::vector<Reason> tables;   // atmosphere tables to have resident, by medium
