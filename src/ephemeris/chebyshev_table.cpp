@@ -146,7 +146,8 @@ State ChebyshevBody::state(double tdbDays) const {
   return {{unitMetres * sum.value}, {rate * sum.derivative}};
 }
 
-TableCatalogue::TableCatalogue(const std::filesystem::path& path) : file_(path) {
+TableCatalogue::TableCatalogue(const std::filesystem::path& path)
+    : file_(path, "ANTCHEB1", "tools/build_table_catalogue or tools/build_moon_catalogue") {
   struct Entry {
     char body[24], centre[24];
     double first, days, unit;
@@ -154,23 +155,10 @@ TableCatalogue::TableCatalogue(const std::filesystem::path& path) : file_(path) 
     std::uint64_t offset;
   };
   static_assert(sizeof(Entry) == 96);
-  auto const broken = [&](const std::string& what) {
-    return InputError(
-        fmt::format("{}: {}; allowed: a table of tools/build_table_catalogue or "
-                    "tools/build_moon_catalogue",
-                    file_.name(), what));
-  };
-  if (file_.size() < 16 || std::memcmp(file_.data(), "ANTCHEB1", 8) != 0)
-    throw broken("does not begin with ANTCHEB1");
-  std::uint32_t count;
-  std::memcpy(&count, file_.data() + 8, sizeof count);
-  if (16 + sizeof(Entry) * std::size_t{count} > file_.size()) throw broken("is cut short");
-  for (std::uint32_t i = 0; i < count; ++i) {
-    Entry e;
-    std::memcpy(&e, file_.data() + 16 + sizeof e * i, sizeof e);
+  for (const auto& e : file_.entries<Entry>()) {
     ChebyshevBody b;
-    b.body.assign(e.body, strnlen(e.body, sizeof e.body));
-    b.centre.assign(e.centre, strnlen(e.centre, sizeof e.centre));
+    b.body = nameIn(e.body);
+    b.centre = nameIn(e.centre);
     b.firstJulianDate = e.first;
     b.daysPerSegment = e.days;
     b.unitMetres = e.unit;
@@ -180,11 +168,9 @@ TableCatalogue::TableCatalogue(const std::filesystem::path& path) : file_(path) 
     b.n8 = e.n8;
     std::uint64_t const orders = std::uint64_t{e.n32} + e.n16 + e.n8;
     b.bytesPerSegment = (3 * (4 * std::size_t{e.n32} + 2 * std::size_t{e.n16} + e.n8) + 3) / 4 * 4;
-    if (orders == 0 || orders > kMaxOrders || e.segments == 0 || !(e.days > 0.0) ||
-        !(e.unit > 0.0) || e.offset > file_.size() ||
-        b.bytesPerSegment * e.segments > file_.size() - e.offset)
-      throw broken(fmt::format("entry {} ({}) points outside the file", i, b.body));
-    b.data = file_.data() + e.offset;
+    if (orders == 0 || orders > kMaxOrders || e.segments == 0 || !(e.days > 0.0) || !(e.unit > 0.0))
+      throw file_.broken(fmt::format("entry {} is misshapen", b.body));
+    b.data = file_.at(e.offset, b.bytesPerSegment * e.segments, b.body);
     bodies_.push_back(b);
   }
 }

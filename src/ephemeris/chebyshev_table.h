@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ephemeris/mapped_file.h"
+#include "ephemeris/mapped_catalogue.h"
 #include "ephemeris/state.h"
 
 namespace antumbra {
@@ -34,7 +34,7 @@ class TableCatalogue {
   const ChebyshevBody& body(const std::string& name) const;
 
  private:
-  MappedFile file_;
+  MappedCatalogue file_;
   std::vector<ChebyshevBody> bodies_;
 };
 

@@ -46,7 +46,8 @@ State SatelliteSeries::state(double tdbDays, bool extrapolate) const {
   return {{1000.0 * place}, {1000.0 / 86400.0 * rate}};
 }
 
-SatelliteCatalogue::SatelliteCatalogue(const std::filesystem::path& path) : file_(path) {
+SatelliteCatalogue::SatelliteCatalogue(const std::filesystem::path& path)
+    : file_(path, "ANTMOON1", "tools/build_moon_catalogue") {
   struct Entry {
     char body[24], centre[24];
     double first, last, drift[4];
@@ -55,32 +56,21 @@ SatelliteCatalogue::SatelliteCatalogue(const std::filesystem::path& path) : file
     std::uint64_t offset, unused[2];
   };
   static_assert(sizeof(Entry) == 128 && sizeof(SatelliteSeries::Term) == 40);
-  auto const broken = [&](const std::string& what) {
-    return InputError(fmt::format("{}: {}; allowed: a catalogue of tools/build_moon_catalogue",
-                                  file_.name(), what));
-  };
-  if (file_.size() < 16 || std::memcmp(file_.data(), "ANTMOON1", 8) != 0)
-    throw broken("does not begin with ANTMOON1");
-  std::uint32_t count;
-  std::memcpy(&count, file_.data() + 8, sizeof count);
-  if (16 + sizeof(Entry) * std::size_t{count} > file_.size()) throw broken("is cut short");
-  for (std::uint32_t i = 0; i < count; ++i) {
-    Entry e;
-    std::memcpy(&e, file_.data() + 16 + sizeof e * i, sizeof e);
+  for (const auto& e : file_.entries<Entry>()) {
     SatelliteSeries s;
-    s.body.assign(e.body, strnlen(e.body, sizeof e.body));
-    s.centre.assign(e.centre, strnlen(e.centre, sizeof e.centre));
+    s.body = nameIn(e.body);
+    s.centre = nameIn(e.centre);
     s.middleTdbDays = 0.5 * (e.first + e.last) - kJ2000;
     s.halfSpanDays = 0.5 * (e.last - e.first);
     std::copy(std::begin(e.drift), std::end(e.drift), s.drift);
     s.termCount = e.terms;
     s.residual = double{e.residualKm} * kilometre;
-    if (e.offset > file_.size() || e.offset % 8 != 0 || !(s.halfSpanDays > 0.0) ||
-        e.terms * sizeof(SatelliteSeries::Term) > file_.size() - e.offset)
-      throw broken(fmt::format("entry {} ({}) points outside the file", i, s.body));
-    s.terms = reinterpret_cast<const SatelliteSeries::Term*>(file_.data() + e.offset);
+    if (e.offset % 8 != 0 || !(s.halfSpanDays > 0.0))
+      throw file_.broken(fmt::format("entry {} is misshapen", s.body));
+    s.terms = reinterpret_cast<const SatelliteSeries::Term*>(
+        file_.at(e.offset, e.terms * sizeof(SatelliteSeries::Term), s.body));
     for (std::size_t k = 0; k < s.termCount; ++k)
-      if (s.terms[k].power > 8) throw broken(fmt::format("{} has a power above 8", s.body));
+      if (s.terms[k].power > 8) throw file_.broken(fmt::format("{} has a power above 8", s.body));
     series_.push_back(std::move(s));
   }
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ephemeris/mapped_file.h"
+#include "ephemeris/mapped_catalogue.h"
 #include "ephemeris/state.h"
 
 namespace antumbra {
@@ -42,7 +42,7 @@ class SatelliteCatalogue {
   const std::vector<SatelliteSeries>& all() const { return series_; }
 
  private:
-  MappedFile file_;
+  MappedCatalogue file_;
   std::vector<SatelliteSeries> series_;
 };
 

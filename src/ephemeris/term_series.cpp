@@ -164,7 +164,8 @@ double valueByLibm(const TermSeries& series, double t) {
   return combine(series, t, [&](const TermBlock& b) { return libmBlock(b, t, false); }).value;
 }
 
-SeriesCatalogue::SeriesCatalogue(const std::filesystem::path& path) : file_(path) {
+SeriesCatalogue::SeriesCatalogue(const std::filesystem::path& path)
+    : file_(path, "ANTSERI1", "tools/build_series_catalogue") {
   struct Entry {
     char body[16];
     char variable[8];
@@ -172,27 +173,16 @@ SeriesCatalogue::SeriesCatalogue(const std::filesystem::path& path) : file_(path
     std::uint64_t offset;
   };
   static_assert(sizeof(Entry) == 48);
-  auto const broken = [&](const std::string& what) {
-    return InputError(fmt::format(
-        "{}: {}; allowed: a series catalogue of tools/build_series_catalogue", file_.name(), what));
-  };
-  if (file_.size() < 16 || std::memcmp(file_.data(), "ANTSERI1", 8) != 0)
-    throw broken("does not begin with ANTSERI1");
-  std::uint32_t count;
-  std::memcpy(&count, file_.data() + 8, sizeof count);
-  if (16 + sizeof(Entry) * std::size_t{count} > file_.size()) throw broken("is cut short");
-  for (std::uint32_t i = 0; i < count; ++i) {
-    Entry e;
-    std::memcpy(&e, file_.data() + 16 + sizeof(Entry) * i, sizeof e);
-    std::uint64_t const bytes = std::uint64_t{e.stride} * (e.phases + 1) * sizeof(double);
-    if (e.offset > file_.size() || bytes > file_.size() - e.offset || e.terms > e.stride ||
-        e.stride % 8 != 0 || e.offset % 8 != 0 || (e.phases != 1 && e.phases != 2 && e.phases != 5))
-      throw broken(fmt::format("entry {} points outside the file", i));
-    std::string const body(e.body, strnlen(e.body, sizeof e.body));
-    std::string const variable(e.variable, strnlen(e.variable, sizeof e.variable));
+  for (const auto& e : file_.entries<Entry>()) {
+    auto const body = nameIn(e.body), variable = nameIn(e.variable);
+    auto const which = fmt::format("{} {}", body, variable);
+    if (e.terms > e.stride || e.stride % 8 != 0 || e.offset % 8 != 0 ||
+        (e.phases != 1 && e.phases != 2 && e.phases != 5))
+      throw file_.broken(fmt::format("entry {} is misshapen", which));
+    const std::byte* const data =
+        file_.at(e.offset, std::uint64_t{e.stride} * (e.phases + 1) * sizeof(double), which);
     series_[{body, variable}].blocks.push_back(
-        {reinterpret_cast<const double*>(file_.data() + e.offset), e.stride, e.phases, e.power,
-         e.terms});
+        {reinterpret_cast<const double*>(data), e.stride, e.phases, e.power, e.terms});
   }
 }
 

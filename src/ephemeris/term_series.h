@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "ephemeris/mapped_file.h"
+#include "ephemeris/mapped_catalogue.h"
 
 namespace antumbra {
 
@@ -61,7 +61,7 @@ class SeriesCatalogue {
   const TermSeries& series(const std::string& body, const std::string& variable) const;
 
  private:
-  MappedFile file_;
+  MappedCatalogue file_;
   std::map<std::pair<std::string, std::string>, TermSeries> series_;
 };
 
