@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bench_commands.h"
-#include "app/bench_timing.h"
+#include "app/draw_timing.h"
 #include "app/scene_session.h"
 #include "document/paths.h"
 #include "document/text_output.h"
@@ -58,7 +58,7 @@ nlohmann::json benchScene(const std::string& file, const Options& options) {
   SceneSession const session(file, options.overrides);
   auto const moment = session.at(0);
   const Projection& picture = moment.scene.picture;
-  double const unit = bench::fillUnitSeconds(picture.width, picture.height);
+  double const unit = fillUnitSeconds(picture.width, picture.height);
 
   bool synthetic = false;
   auto const start = std::chrono::steady_clock::now();
@@ -81,7 +81,7 @@ nlohmann::json benchScene(const std::string& file, const Options& options) {
   fmt::print("  {:<34} {:>10} {:>10}\n", "pass", "fill units", "ms");
   double total = 0.0;
   renderer.observePasses([&](const std::string& name, const std::function<void()>& draw) {
-    double const seconds = bench::medianSeconds(draw, options.repeats);
+    double const seconds = medianSeconds(draw, options.repeats);
     total += seconds;
     fmt::print("  {:<34} {:>10.2f} {:>10.2f}\n", name, seconds / unit, seconds * 1e3);
     result["passes"].push_back(

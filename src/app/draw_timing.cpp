@@ -1,4 +1,4 @@
-#include "app/bench_timing.h"
+#include "app/draw_timing.h"
 
 #include <algorithm>
 #include <chrono>
@@ -8,7 +8,7 @@
 #include "gl/program.h"
 #include "gl/texture.h"
 
-namespace antumbra::bench {
+namespace antumbra {
 
 double medianSeconds(const std::function<void()>& draw, int repeats) {
   draw();
@@ -49,4 +49,4 @@ double fillUnitSeconds(int width, int height) {
   });
 }
 
-}  // namespace antumbra::bench
+}  // namespace antumbra

@@ -10,7 +10,7 @@
 
 #include "gl/context.h"
 
-namespace antumbra::bench {
+namespace antumbra {
 
 // Median seconds of `draw` over `repeats` (at least 7), after one run to warm up.
 double medianSeconds(const std::function<void()>& draw, int repeats = 7);
@@ -18,4 +18,4 @@ double medianSeconds(const std::function<void()>& draw, int repeats = 7);
 // Seconds of one fill unit at this size.
 double fillUnitSeconds(int width, int height);
 
-}  // namespace antumbra::bench
+}  // namespace antumbra
