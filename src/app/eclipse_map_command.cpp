@@ -7,7 +7,6 @@
 #include "document/input_error.h"
 #include "document/text_output.h"
 #include "eclipse/eclipse_map.h"
-#include "output/drawing_raster.h"
 #include "output/image_file.h"
 
 namespace antumbra {

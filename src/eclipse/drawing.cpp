@@ -31,12 +31,12 @@ std::string svgOf(const Drawing& drawing) {
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
       "{1}\" "
-      "font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\">\n<title>{2}</title>\n"
+      "font-family=\"{7}, Helvetica, Arial, sans-serif\">\n<title>{2}</title>\n"
       "<defs><clipPath id=\"globe\"><circle cx=\"{3:.2f}\" cy=\"{4:.2f}\" "
       "r=\"{5:.2f}\"/></clipPath>"
       "</defs>\n<rect width=\"{0}\" height=\"{1}\" fill=\"{6}\"/>\n",
       drawing.width, drawing.height, escaped(drawing.title), drawing.clipCentre.x,
-      drawing.clipCentre.y, drawing.clipRadius, colour(drawing.background));
+      drawing.clipCentre.y, drawing.clipRadius, colour(drawing.background), kFontFamily);
   for (auto const& shape : drawing.shapes) {
     std::string path;
     for (auto const& points : shape.paths) {
@@ -54,10 +54,13 @@ std::string svgOf(const Drawing& drawing) {
           " stroke=\"{}\" stroke-opacity=\"{:.2f}\" stroke-width=\"{:.2f}\" "
           "stroke-linejoin=\"round\"",
           colour(*shape.line), shape.line->opacity, shape.lineWidth);
-    if (shape.dashed) out += " stroke-dasharray=\"6 4\"";
+    if (shape.dashed) out += fmt::format(" stroke-dasharray=\"{} {}\"", kDashLength, kDashGap);
     if (shape.clipped) out += " clip-path=\"url(#globe)\"";
     out += "/>\n";
   }
+  std::string const halo =
+      fmt::format(" stroke=\"{}\" stroke-width=\"{}\" stroke-opacity=\"{}\" paint-order=\"stroke\"",
+                  colour(kHalo), kHaloWidth, kHalo.opacity);
   for (auto const& words : drawing.words) {
     const char* const anchor = words.anchor == DrawnWords::Anchor::Start    ? "start"
                                : words.anchor == DrawnWords::Anchor::Middle ? "middle"
@@ -65,10 +68,7 @@ std::string svgOf(const Drawing& drawing) {
     out += fmt::format(
         "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{:.1f}\" fill=\"{}\" "
         "text-anchor=\"{}\"{}>{}</text>\n",
-        words.at.x, words.at.y, words.size, colour(words.ink), anchor,
-        words.halo ? " stroke=\"#ffffff\" stroke-width=\"3\" stroke-opacity=\"0.8\" "
-                     "paint-order=\"stroke\""
-                   : "",
+        words.at.x, words.at.y, words.size, colour(words.ink), anchor, words.halo ? halo : "",
         escaped(words.text));
   }
   return out + "</svg>\n";

@@ -11,10 +11,17 @@
 
 namespace antumbra {
 
+// Words are set in this family, dashes and halos drawn to these measures in pixels, by every
+// writer.
+inline constexpr const char* kFontFamily = "DejaVu Sans";
+inline constexpr double kDashLength = 6.0, kDashGap = 4.0, kHaloWidth = 3.0;
+
 struct Ink {
   std::array<int, 3> rgb{0, 0, 0};
   double opacity = 1.0;
 };
+
+inline constexpr Ink kHalo{{255, 255, 255}, 0.8};
 
 struct DrawnShape {
   std::vector<std::vector<glm::dvec2>> paths;
@@ -26,10 +33,10 @@ struct DrawnShape {
 };
 
 struct DrawnWords {
-  std::string text;
-  glm::dvec2 at;  // baseline
+  std::string text = {};
+  glm::dvec2 at{0.0};  // baseline
   double size = 14.0;
-  Ink ink;
+  Ink ink = {};
   enum class Anchor { Start, Middle, End } anchor = Anchor::Start;
   bool halo = false;
 };

@@ -4,11 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
-#include "document/input_error.h"
-#include "document/paths.h"
+#include "eclipse/azimuthal_map.h"
 
 namespace antumbra {
 namespace {
@@ -16,208 +13,6 @@ namespace {
 constexpr int kWidth = 1200, kHeight = 1340;
 constexpr double kMapRadius = 560.0;
 const glm::dvec2 kMapCentre(600.0, 660.0);
-
-// Place on the map in polar form: `radius` in pixels from its centre, `bearing` clockwise from
-// north.
-struct Polar {
-  double radius = 0.0, bearing = 0.0;
-};
-
-class AzimuthalMap {
- public:
-  AzimuthalMap(const Site& centre, double reachDegrees)
-      : latitude_(centre.latitude / radian),
-        longitude_(centre.longitude / radian),
-        scale_(kMapRadius / (2.0 * std::sin(0.5 * reachDegrees * M_PI / 180.0))) {}
-  Polar polar(double latitudeDegrees, double longitudeDegrees) const {
-    double const y = latitudeDegrees * M_PI / 180.0;
-    double const x = longitudeDegrees * M_PI / 180.0 - longitude_;
-    double const east = std::cos(y) * std::sin(x);
-    double const north =
-        std::cos(latitude_) * std::sin(y) - std::sin(latitude_) * std::cos(y) * std::cos(x);
-    double const up =
-        std::sin(latitude_) * std::sin(y) + std::cos(latitude_) * std::cos(y) * std::cos(x);
-    double const away = std::atan2(std::hypot(east, north), up);
-    return {scale_ * 2.0 * std::sin(0.5 * away), std::atan2(east, north)};
-  }
-  static glm::dvec2 pixel(const Polar& p) {
-    return kMapCentre + p.radius * glm::dvec2(std::sin(p.bearing), -std::cos(p.bearing));
-  }
-  glm::dvec2 pixel(double latitudeDegrees, double longitudeDegrees) const {
-    return pixel(polar(latitudeDegrees, longitudeDegrees));
-  }
-  glm::dvec2 pixel(const Site& s) const { return pixel(s.latitude / degree, s.longitude / degree); }
-  bool shows(const Site& s) const {
-    return polar(s.latitude / degree, s.longitude / degree).radius < kMapRadius;
-  }
-
- private:
-  double latitude_, longitude_, scale_;
-};
-
-using Ring = std::vector<glm::dvec2>;  // longitude, latitude in degrees
-
-std::vector<Ring> landRings() {
-  std::filesystem::path const file = catalogsFolder() / "eclipse" / "coastline.txt";
-  std::ifstream in(file);
-  if (!in) throw InputError(fmt::format("{}: cannot be read", file.string()));
-  std::vector<Ring> rings;
-  std::string line;
-  while (std::getline(in, line)) {
-    std::istringstream numbers(line);
-    Ring ring;
-    for (double x = 0.0, y = 0.0; numbers >> x >> y;) ring.emplace_back(x / 100.0, y / 100.0);
-    if (ring.size() > 2) rings.push_back(std::move(ring));
-  }
-  return rings;
-}
-
-// Longitudes made continuous, so that a ring may cross the antimeridian; one that goes round a pole
-// is closed along it.
-Ring unwrapped(const Ring& ring) {
-  Ring out{ring.front()};
-  for (std::size_t i = 1; i <= ring.size(); ++i) {
-    glm::dvec2 const next = ring[i % ring.size()];
-    out.emplace_back(out.back().x + std::remainder(next.x - out.back().x, 360.0), next.y);
-  }
-  if (std::fabs(out.back().x - out.front().x) > 180.0) {
-    double const pole = ring.front().y < 0.0 ? -90.0 : 90.0;
-    out.emplace_back(out.back().x, pole);
-    out.emplace_back(out.front().x, pole);
-  }
-  return out;
-}
-
-bool holds(const Ring& ring, glm::dvec2 point) {
-  Ring const closed = unwrapped(ring);
-  bool inside = false;
-  for (double const turn : {-720.0, -360.0, 0.0, 360.0, 720.0}) {
-    double const x = point.x + turn;
-    for (std::size_t i = 0, j = closed.size() - 1; i < closed.size(); j = i++) {
-      auto const &a = closed[i], &b = closed[j];
-      if ((a.y > point.y) != (b.y > point.y) &&
-          x < (b.x - a.x) * (point.y - a.y) / (b.y - a.y) + a.x)
-        inside = !inside;
-    }
-  }
-  return inside;
-}
-
-std::vector<glm::dvec2> circle(double radius) {
-  std::vector<glm::dvec2> points;
-  for (int i = 0; i < 180; ++i) points.push_back(AzimuthalMap::pixel({radius, M_PI * i / 90.0}));
-  return points;
-}
-
-// Edges are cut to pieces of a degree. Beyond the map's edge points are drawn in to a circle
-// outside it, along which the outline then runs, so that nothing crosses the map near the antipode.
-std::vector<glm::dvec2> landOutline(const AzimuthalMap& map, const Ring& ring, bool& visible) {
-  constexpr double kOutside = 1.1 * kMapRadius;
-  std::vector<glm::dvec2> points;
-  Polar last;
-  bool first = true;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    auto const a = ring[i];
-    auto b = ring[(i + 1) % ring.size()];
-    b.x = a.x + std::remainder(b.x - a.x, 360.0);
-    int const pieces = 1 + static_cast<int>(std::max(std::fabs(b.x - a.x), std::fabs(b.y - a.y)));
-    for (int k = 0; k < pieces; ++k) {
-      glm::dvec2 const p = a + (b - a) * (static_cast<double>(k) / pieces);
-      Polar at = map.polar(p.y, p.x);
-      visible = visible || at.radius < kMapRadius;
-      at.radius = std::min(at.radius, kOutside);
-      if (!first && last.radius == kOutside && at.radius == kOutside) {
-        double const turn = std::remainder(at.bearing - last.bearing, 2.0 * M_PI);
-        int const steps = static_cast<int>(std::fabs(turn) / 0.1);
-        for (int s = 1; s <= steps; ++s)
-          points.push_back(
-              AzimuthalMap::pixel({kOutside, last.bearing + turn * s / (steps + 1.0)}));
-        if (std::fabs(turn) < 0.02) continue;
-      }
-      points.push_back(AzimuthalMap::pixel(at));
-      last = at;
-      first = false;
-    }
-  }
-  return points;
-}
-
-void addLand(Drawing& drawing, const AzimuthalMap& map, const Site& centre) {
-  DrawnShape land;
-  land.fill = Ink{{238, 232, 214}, 1.0};
-  DrawnShape coast;
-  coast.line = Ink{{120, 118, 108}, 1.0};
-  coast.lineWidth = 0.7;
-  glm::dvec2 antipode(centre.longitude / degree + 180.0, -(centre.latitude / degree));
-  if (antipode.x > 180.0) antipode.x -= 360.0;
-  bool inverted = false;
-  for (auto const& ring : landRings()) {
-    bool visible = false;
-    auto outline = landOutline(map, ring, visible);
-    bool const around = holds(ring, antipode);
-    if (around) inverted = !inverted;
-    if (visible || around) land.paths.push_back(std::move(outline));
-    if (!visible) continue;
-    std::vector<glm::dvec2> piece;
-    for (std::size_t i = 0; i <= ring.size(); ++i) {
-      auto const a = ring[i % ring.size()], before = ring[(i + ring.size() - 1) % ring.size()];
-      // The cuts along the antimeridian and at the pole are no coast.
-      bool const cut = (std::fabs(a.x) > 179.98 && std::fabs(before.x) > 179.98) ||
-                       (a.y < -89.9 && before.y < -89.9);
-      bool const shown = map.polar(a.y, a.x).radius < 1.05 * kMapRadius;
-      if (cut || !shown) {
-        if (piece.size() > 1) coast.paths.push_back(piece);
-        piece.clear();
-      }
-      if (shown) piece.push_back(map.pixel(a.y, a.x));
-    }
-    if (piece.size() > 1) coast.paths.push_back(piece);
-  }
-  if (inverted) land.paths.push_back(circle(1.2 * kMapRadius));
-  drawing.shapes.push_back(std::move(land));
-  drawing.shapes.push_back(std::move(coast));
-}
-
-void addGraticule(Drawing& drawing, const AzimuthalMap& map) {
-  DrawnShape lines;
-  lines.line = Ink{{96, 120, 140}, 0.35};
-  lines.lineWidth = 0.6;
-  auto const add = [&](auto&& pointAt, int steps) {
-    std::vector<glm::dvec2> piece;
-    for (int i = 0; i <= steps; ++i) {
-      auto const [latitude, longitude] = pointAt(i);
-      Polar const p = map.polar(latitude, longitude);
-      if (p.radius < 1.05 * kMapRadius) {
-        piece.push_back(AzimuthalMap::pixel(p));
-      } else {
-        if (piece.size() > 1) lines.paths.push_back(piece);
-        piece.clear();
-      }
-    }
-    if (piece.size() > 1) lines.paths.push_back(piece);
-  };
-  auto const label = [&](double latitude, double longitude, const std::string& text) {
-    Polar const p = map.polar(latitude, longitude);
-    if (p.radius < 0.97 * kMapRadius)
-      drawing.words.push_back({text, AzimuthalMap::pixel(p) + glm::dvec2(3.0, -3.0), 10.0,
-                               Ink{{96, 120, 140}, 1.0}, DrawnWords::Anchor::Start, false});
-  };
-  for (int longitude = -180; longitude < 180; longitude += 15) {
-    add([&](int i) { return std::pair(-85.0 + 2.0 * i, static_cast<double>(longitude)); }, 85);
-    if (longitude % 30 == 0)
-      label(0.0, longitude,
-            fmt::format("{}°{}", std::abs(longitude),
-                        longitude == 0 ? "" : (longitude > 0 ? "E" : "W")));
-  }
-  for (int latitude = -75; latitude <= 75; latitude += 15) {
-    add([&](int i) { return std::pair(static_cast<double>(latitude), -180.0 + 2.0 * i); }, 180);
-    if (latitude % 30 == 0 && latitude != 0)
-      for (int longitude : {-90, 0, 90, 180})
-        label(latitude, longitude,
-              fmt::format("{}°{}", std::abs(latitude), latitude > 0 ? "N" : "S"));
-  }
-  drawing.shapes.push_back(std::move(lines));
-}
 
 struct CurveStyle {
   Ink ink;
@@ -254,28 +49,57 @@ void addCurves(Drawing& drawing, const AzimuthalMap& map, const EclipseCurves& c
     for (auto const& s : curve.sites) points.push_back(map.pixel(s));
     shape.paths.push_back(points);
     drawing.shapes.push_back(std::move(shape));
-    bool const labelled =
-        curve.kind == CurveKind::EqualMagnitude || curve.kind == CurveKind::PenumbraLimit ||
-        curve.kind == CurveKind::UmbraLimit || curve.kind == CurveKind::MaximumOnHorizon;
-    if (!labelled || curve.sites.size() < 12) continue;
-    // Limits of a narrow path are labelled at different places.
-    double const share = curve.kind == CurveKind::UmbraLimit ? (curve.name[0] == 'l' ? 0.3 : 0.93)
-                         : curve.kind == CurveKind::MaximumOnHorizon ? 0.25
-                                                                     : 0.5;
-    auto const at = static_cast<std::size_t>(share * static_cast<double>(curve.sites.size() - 1));
-    if (!map.shows(curve.sites[at])) continue;
-    std::string const text = curve.kind == CurveKind::EqualMagnitude
-                                 ? fmt::format("{:.1f}", curve.magnitude)
-                                 : curve.name;
-    bool const rightHalf = points[at].x > kMapCentre.x + 0.5 * kMapRadius;
-    drawing.words.push_back(
-        {text, points[at] + glm::dvec2(rightHalf ? -6.0 : 6.0, -6.0), 11.0, style.ink,
-         rightHalf ? DrawnWords::Anchor::End : DrawnWords::Anchor::Start, true});
   }
 }
 
-void addMarks(Drawing& drawing, const AzimuthalMap& map, const EclipseCurves& curves,
-              const SolarEvent& event) {
+// The baselines beside a point of a curve; those of a limit lie outside the path.
+std::vector<DrawnLabels::Place> besides(glm::dvec2 point, const std::vector<glm::dvec2>& avoid) {
+  std::vector<DrawnLabels::Place> places;
+  glm::dvec2 outward(0.0);
+  double nearest = 1e9;
+  for (auto const& p : avoid)
+    if (double const away = glm::length(point - p); away < nearest)
+      nearest = away, outward = point - p;
+  for (double const x : {6.0, -6.0})
+    for (double const y : {-6.0, 16.0})
+      if (avoid.empty() || (x * outward.x >= 0.0 && (y - 5.0) * outward.y >= 0.0))
+        places.push_back({point + glm::dvec2(x, y),
+                          x > 0.0 ? DrawnWords::Anchor::Start : DrawnWords::Anchor::End});
+  return places;
+}
+
+// The name of a curve, or the magnitude it is of, beside it at the first free place along it.
+void labelCurves(DrawnLabels& labels, const AzimuthalMap& map, const EclipseCurves& curves) {
+  std::vector<glm::dvec2> centralLine;
+  for (auto const& curve : curves.curves)
+    if (curve.kind == CurveKind::CentralLine)
+      for (auto const& s : curve.sites) centralLine.push_back(map.pixel(s));
+  for (CurveKind const kind : {CurveKind::PenumbraLimit, CurveKind::UmbraLimit,
+                               CurveKind::EqualMagnitude, CurveKind::MaximumOnHorizon}) {
+    for (auto const& curve : curves.curves) {
+      if (curve.kind != kind || curve.sites.size() < 12) continue;
+      std::vector<DrawnLabels::Place> places;
+      for (double const share : {0.5, 0.3, 0.7, 0.15, 0.85, 0.4, 0.6, 0.22, 0.78, 0.05, 0.95}) {
+        auto const at =
+            static_cast<std::size_t>(share * static_cast<double>(curve.sites.size() - 1));
+        auto const some =
+            besides(map.pixel(curve.sites[at]),
+                    kind == CurveKind::UmbraLimit ? centralLine : std::vector<glm::dvec2>{});
+        places.insert(places.end(), some.begin(), some.end());
+      }
+      labels.place(
+          {.text = kind == CurveKind::EqualMagnitude ? fmt::format("{:.1f}", curve.magnitude)
+                                                     : curve.name,
+           .size = 11.0,
+           .ink = styleOf(kind).ink,
+           .halo = true},
+          places);
+    }
+  }
+}
+
+void addMarks(Drawing& drawing, DrawnLabels& labels, const AzimuthalMap& map,
+              const EclipseCurves& curves, const SolarEvent& event) {
   DrawnShape shadow;
   shadow.fill = Ink{{20, 20, 40}, event.eclipse.type[0] == 'A' ? 0.35 : 0.6};
   DrawnShape ticks;
@@ -299,10 +123,15 @@ void addMarks(Drawing& drawing, const AzimuthalMap& map, const EclipseCurves& cu
     double const minutes = (mark.instant - event.eclipse.greatest) / minute;
     if (glm::length(at - lastAt) > 42.0 || minutes - lastShown > 59.0) {
       std::string const time = ut1Text(mark.instant, event.eclipse.deltaT).substr(11, 5);
-      drawing.words.push_back({time, at + glm::dvec2(7.0, 16.0), 12.0, Ink{{110, 10, 20}, 1.0},
-                               DrawnWords::Anchor::Start, true});
-      lastAt = at;
-      lastShown = minutes;
+      bool const written =
+          labels.place({.text = time, .size = 12.0, .ink = Ink{{110, 10, 20}, 1.0}, .halo = true},
+                       {{at + glm::dvec2(9.0, 20.0)},
+                        {at + glm::dvec2(9.0, -12.0)},
+                        {at + glm::dvec2(-9.0, -12.0), DrawnWords::Anchor::End}});
+      if (written) {
+        lastAt = at;
+        lastShown = minutes;
+      }
     }
   }
   drawing.shapes.push_back(std::move(ticks));
@@ -322,7 +151,7 @@ void addMarks(Drawing& drawing, const AzimuthalMap& map, const EclipseCurves& cu
   drawing.shapes.push_back(std::move(star));
 }
 
-double reachOf(const EclipseCurves& curves, const Site& centre) {
+Angle reachOf(const EclipseCurves& curves, const Site& centre) {
   glm::dvec3 const c = glm::normalize(itrsMetres(centre));
   double reach = 40.0;
   for (auto const& curve : curves.curves)
@@ -331,7 +160,7 @@ double reachOf(const EclipseCurves& curves, const Site& centre) {
       reach =
           std::max(reach, std::atan2(glm::length(glm::cross(c, p)), glm::dot(c, p)) * 180.0 / M_PI);
     }
-  return std::min(reach + 4.0, 130.0);
+  return std::min(reach + 4.0, 130.0) * degree;
 }
 
 std::string nameOfType(const std::string& type) {
@@ -416,19 +245,22 @@ Drawing eclipseMap(const SolarEvent& event, const EclipseCurves& curves, const s
   drawing.clipCentre = kMapCentre;
   drawing.clipRadius = kMapRadius;
   Site const centre = event.eclipse.place;
-  AzimuthalMap const map(centre, reachOf(curves, centre));
+  AzimuthalMap const map(centre, reachOf(curves, centre), kMapCentre, kMapRadius);
+  DrawnLabels labels(drawing);
   DrawnShape sea;
   sea.fill = Ink{{214, 228, 238}, 1.0};
-  sea.paths = {circle(kMapRadius)};
+  sea.paths = {map.circle(kMapRadius)};
   drawing.shapes.push_back(std::move(sea));
-  addLand(drawing, map, centre);
+  addLand(drawing, map);
   addGraticule(drawing, map);
   addCurves(drawing, map, curves);
-  addMarks(drawing, map, curves, event);
+  addMarks(drawing, labels, map, curves, event);
+  labelCurves(labels, map, curves);
+  labelGraticule(labels, map);
   DrawnShape rim;
   rim.line = Ink{{70, 90, 110}, 1.0};
   rim.lineWidth = 1.2;
-  auto edge = circle(kMapRadius);
+  auto edge = map.circle(kMapRadius);
   edge.push_back(edge.front());
   rim.paths = {edge};
   rim.clipped = false;

@@ -1,5 +1,5 @@
-// The module that knows image formats: everything of image_file.h that needs OpenImageIO, behind
-// one exported function.
+// The module that knows image formats: everything of image_file.h that needs OpenImageIO or Cairo,
+// behind one exported function.
 #include "output/image_codec.h"
 
 #include <OpenImageIO/imageio.h>
@@ -72,7 +72,7 @@ DecodedImage decodeImage(const fs::path& file, const std::string& where) {
   return image;
 }
 
-constexpr ImageCodec kCodec{encodePng, encodeExr, decodeImage};
+constexpr ImageCodec kCodec{encodePng, encodeExr, cairoPixels, decodeImage};
 
 }  // namespace
 }  // namespace antumbra

@@ -18,8 +18,12 @@ struct ImageCodec {
                    const std::vector<std::uint8_t>& srgb, const Metadata& metadata);
   void (*writeExr)(const std::filesystem::path& file, int width, int height,
                    const std::vector<float>& linear, const Metadata& metadata);
+  std::vector<std::uint8_t> (*rasterised)(const Drawing& drawing);
   DecodedImage (*readImage)(const std::filesystem::path& file, const std::string& where);
 };
+
+// In drawing_raster.cpp.
+std::vector<std::uint8_t> cairoPixels(const Drawing& drawing);
 
 }  // namespace antumbra
 

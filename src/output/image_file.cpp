@@ -41,6 +41,8 @@ void writePng(const fs::path& file, int width, int height, const std::vector<std
   });
 }
 
+std::vector<std::uint8_t> rasterised(const Drawing& drawing) { return codec().rasterised(drawing); }
+
 void writeExr(const fs::path& file, int width, int height, const std::vector<float>& linear,
               const Metadata& metadata) {
   writeWholeFile(file, "-o", [&](const fs::path& temporary) {

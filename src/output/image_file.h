@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "eclipse/drawing.h"
 #include "gl/decoded_image.h"
 
 namespace antumbra {
@@ -28,6 +29,9 @@ void writeExr(const std::filesystem::path& file, int width, int height,
 // Refuses a file name that neither writer takes, or whose folder does not exist (InputError opened
 // by `where`), before any work is done.
 void checkOutputFile(const std::filesystem::path& file, const std::string& where);
+
+// The drawing in 8-bit sRGB, three components, first row at the top.
+std::vector<std::uint8_t> rasterised(const Drawing& drawing);
 
 // Throws InputError (opened by `where`) if the file is missing or is no readable image.
 DecodedImage readImage(const std::filesystem::path& file, const std::string& where);

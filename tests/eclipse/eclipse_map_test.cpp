@@ -59,5 +59,30 @@ TEST(EclipseMap, IsAWholeSvg) {
   }
 }
 
+TEST(EclipseMap, WritesNoWordsOverEachOther) {
+  EclipseBasis const basis;
+  for (const char* id : {"2021-12-04", "2027-08-02"}) {
+    SolarEvent const event = solarEventOn(basis, id, "test");
+    Drawing const map = eclipseMap(event, eclipseCurves(event, basis.radii(), 6.0 * degree), "");
+    // A letter is at least half as wide as high; two baselines at least a size apart or side by
+    // side.
+    auto const span = [](const DrawnWords& w) {
+      double const width = 0.5 * w.size * static_cast<double>(w.text.size());
+      double const left = w.anchor == DrawnWords::Anchor::Start    ? w.at.x
+                          : w.anchor == DrawnWords::Anchor::Middle ? w.at.x - 0.5 * width
+                                                                   : w.at.x - width;
+      return glm::dvec2(left, left + width);
+    };
+    EXPECT_GT(map.words.size(), 20u);
+    for (std::size_t i = 0; i < map.words.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        auto const &a = map.words[i], &b = map.words[j];
+        bool const sideBySide = span(a).x > span(b).y || span(b).x > span(a).y;
+        EXPECT_TRUE(sideBySide || std::fabs(a.at.y - b.at.y) > 0.9 * std::min(a.size, b.size))
+            << id << ": " << a.text << " over " << b.text;
+      }
+  }
+}
+
 }  // namespace
 }  // namespace antumbra
