@@ -46,7 +46,15 @@ std::pair<double, double> deepest(const SunMoonTrack& track, const ShadowRadii& 
   return {t, value};
 }
 
-// Metres along the geodesic from the centre to where totality is just grazed.
+// Whether some of the Sun stands above the airless horizon of a place.
+bool sunIsUp(const SunMoonTrack& track, const ShadowRadii& radii, const Site& place,
+             double seconds) {
+  auto const seen = solarAppearance(track, radii, place, seconds);
+  return seen.sun.altitude / radian > -seen.sunRadius;
+}
+
+// Metres along the geodesic from the centre to where totality is just grazed; nothing where that
+// would be beyond the terminator, for the cones go on through the Earth but nobody sees them.
 std::optional<double> limitDistance(const SunMoonTrack& track, const ShadowRadii& radii,
                                     const Site& centre, double azimuthDegrees, double seconds,
                                     double guess) {
@@ -68,7 +76,10 @@ std::optional<double> limitDistance(const SunMoonTrack& track, const ShadowRadii
     if (next > 5e6) return std::nullopt;
     a = b, fa = fb;
     b = next;
-    if (std::fabs(b - a) < 0.01) return b;
+    if (std::fabs(b - a) < 0.01) {
+      if (!sunIsUp(track, radii, placeAlong(centre, azimuthDegrees, b), when)) return std::nullopt;
+      return b;
+    }
     fb = grazed(b);
   }
   return std::nullopt;

@@ -135,7 +135,7 @@ std::optional<SolarEclipse> solarEclipse(const SunMoonTrack& track, const Shadow
   if (e.central) {
     CentralPoint const point = *centralPoint(track, radii, greatest);
     e.duration = point.duration;
-    e.width = point.width;
+    if (point.left && point.right) e.width = point.width;
   }
   return e;
 }

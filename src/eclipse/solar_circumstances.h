@@ -47,7 +47,7 @@ struct SolarEclipse {
   double magnitude = 0.0;
   double obscuration = 0.0;
   std::optional<Duration> duration;  // of totality or annularity at `place`; central ones
-  std::optional<Length> width;       // of the path there; central ones
+  std::optional<Length> width;       // of the path there; central ones with two limits
   std::optional<Instant> p1, u1, c1, c4, u4, p4;
   int saros = 0;
   int lunation = 0;  // Brown's
