@@ -20,6 +20,7 @@ void main() {
                               squash * sine);
   ShadowPlace axis =
       placeInShadow(shadowPairs[0], scaled * vec3(1.0, 1.0, shadowScale.x));
-  shown = vec4(visibleSunlight(scaled, 0).x, shadowTablePlace(0, scaled).between, axis.distance,
-               1.0);
+  float umbra = umbraRadiusAt(shadowPairs[0], axis.along);
+  float between = (axis.distance - umbra) / (penumbraRadiusAt(shadowPairs[0], axis.along) - umbra);
+  shown = vec4(visibleSunlight(scaled, 0).x, between, axis.distance, 1.0);
 }

@@ -4,42 +4,69 @@
 #define INTERFACE_SHADOWS_GLSL
 #ifdef SHADOW_PAIRS
 #include "shared/eclipse.glsl"
+#define SHADOW_INNER 64
 
 layout(std140, binding = 7) uniform Shadows {
   ShadowPair shadowPairs[SHADOW_PAIRS];
-  vec4 shadowScale;  // x: polar over equatorial radius; y: half the span of the table along the axis
+  vec4 shadowScale;  // x: polar over equatorial radius; y: greatest distance from the centre, m
 };
-// Visible light of the limb-darkened disc between umbra and penumbra, over gap^1.5:
-// x: square root of the place between the cones, y: along the axis; caster times layers.
+// Visible light of the limb-darkened disc over shadowLightScale, caster times AIR_LAYERS layers; y:
+// along the axis, over the sunlit side of the body and a quarter of its radius beyond. The first
+// SHADOW_INNER texels of a row lie in the antumbra, over the distance from the axis; the others
+// between the edge of umbra or antumbra and the penumbra's, over the square root of the share of the
+// way. So the kinks at these edges lie between texels and stay sharp.
 layout(binding = 8) uniform sampler2DArray shadowLight;
+layout(std140, binding = 8) uniform ShadowLaws {
+  LimbDarkening shadowLaws[AIR_LAYERS];
+};
 
 struct ShadowTablePlace {
-  float between;  // 0 at the umbral cone (or the axis beyond its apex: above 0), 1 at the penumbral
-  float along;
+  float inner;  // share of the antumbra's radius, 1 outside and where there is none
+  float outer;  // square root of the share of the way from that edge to the penumbra's
+  float along;  // from the foot of the axis, m
+  float umbra;  // radius there, m; negative beyond the apex
 };
 
-ShadowTablePlace shadowTablePlace(int caster, vec3 scaled) {
-  ShadowPlace place = placeInShadow(shadowPairs[caster], scaled * vec3(1.0, 1.0, shadowScale.x));
-  float umbra = umbraRadiusAt(shadowPairs[caster], place.along);
-  float penumbra = penumbraRadiusAt(shadowPairs[caster], place.along);
+ShadowTablePlace shadowTablePlace(ShadowPair pair, ShadowPlace place) {
   ShadowTablePlace found;
-  found.between = (place.distance - umbra) / (penumbra - umbra);
   found.along = place.along;
+  found.umbra = umbraRadiusAt(pair, place.along);
+  float edge = abs(found.umbra);
+  float penumbra = penumbraRadiusAt(pair, place.along);
+  found.inner = found.umbra < 0.0 ? min(place.distance / edge, 1.0) : 1.0;
+  found.outer = sqrt(max((place.distance - edge) / (penumbra - edge), 0.0));
   return found;
+}
+
+// What the light varies like: in the antumbra the ring that is left on the axis, whose width is
+// 1 - ratio of the angular radii, and beyond the edges the 3/2 power of the way from them.
+float shadowLightScale(ShadowPair pair, ShadowTablePlace place, float exponent) {
+  float scale = 2.5 * place.outer * place.outer * place.outer;
+  float width = -place.umbra * pair.umbraCosine * (pair.sunBehind - pair.casterBehind) /
+                ((pair.casterBehind + place.along) * pair.sunRadius);
+  if (width > 0.0) {
+    width = min(width, 1.0);
+    scale += exp2((1.0 + 0.5 * exponent) * log2(width * (2.0 - width)));
+  }
+  return scale;
 }
 
 // Visible share of sunlight at a point (scaled space, metres from the centre).
 vec4 visibleSunlight(vec3 scaled, int layer) {
   vec4 light = vec4(1.0);
-  ivec2 size = textureSize(shadowLight, 0).xy;
+  vec2 size = vec2(textureSize(shadowLight, 0).xy);
   for (int caster = 0; caster < SHADOW_PAIRS; ++caster) {
-    ShadowTablePlace place = shadowTablePlace(caster, scaled);
-    if (place.between >= 1.0) continue;
-    float x = sqrt(max(place.between, 0.0));
-    float y = clamp(0.5 + 0.5 * place.along / shadowScale.y, 0.0, 1.0);
-    vec2 at = (vec2(x, y) * vec2(size - 1) + 0.5) / vec2(size);
-    light *= x * x * x *
-             textureLod(shadowLight, vec3(at, float(caster * AIR_LAYERS + layer)), 0.0);
+    ShadowPair pair = shadowPairs[caster];
+    ShadowPlace where = placeInShadow(pair, scaled * vec3(1.0, 1.0, shadowScale.x));
+    ShadowTablePlace place = shadowTablePlace(pair, where);
+    if (place.outer >= 1.0) continue;
+    float column = place.inner < 1.0
+                       ? place.inner * float(SHADOW_INNER - 1)
+                       : float(SHADOW_INNER) + place.outer * (size.x - float(SHADOW_INNER + 1));
+    float row = clamp((1.0 + place.along / shadowScale.y) / 1.25, 0.0, 1.0) * (size.y - 1.0);
+    light *= shadowLightScale(pair, place, shadowLaws[layer].exponent.y) *
+             textureLod(shadowLight, vec3((vec2(column, row) + 0.5) / size,
+                                          float(caster * AIR_LAYERS + layer)), 0.0);
   }
   return light;
 }

@@ -5,7 +5,7 @@
 namespace antumbra {
 namespace {
 
-constexpr int kPlaces = 256, kAlong = 9;
+constexpr int kPlaces = 64 + 256, kAlong = 49;  // 64: SHADOW_INNER of interface/shadows.glsl
 
 }  // namespace
 
@@ -53,6 +53,7 @@ void BodyShadows::update(const std::vector<glsl::ShadowPair>& pairs) {
 
 void BodyShadows::bind() const {
   block_.bindUniform(7);
+  laws_.bindUniform(8);
   table_.bind(8);
 }
 

@@ -1,8 +1,8 @@
 // The shadows on one body: for each caster the pair's geometry and a table of the limb-darkened
 // Sun's visible light between its cones, for the wavelengths of the body's air.
-// The table replaces the closed form per sample: 256 places between the cones by 9 along the axis;
-// relative error against it below 3e-3 (tests/passes/body_shadows_gl_test.cpp). Several casters
-// multiply: where their discs overlap before the Sun too much light is lost.
+// The table replaces the closed form: 64 places in the antumbra and 256 between the cones by 49
+// along the axis; relative error against it below 1e-3 (tests/passes/body_shadows_gl_test.cpp).
+// Several casters multiply: where their discs overlap before the Sun too much light is lost.
 #pragma once
 
 #include <vector>
@@ -24,7 +24,7 @@ class BodyShadows {
               LimbDarkeningLaw law, const std::vector<Length>& wavelengths, Length reach);
   // Geometry of a later instant.
   void update(const std::vector<glsl::ShadowPair>& pairs);
-  // Uniform block 7, texture unit 8.
+  // Uniform blocks 7 and 8, texture unit 8.
   void bind() const;
   gl::Definitions definitions() const;
   std::size_t bytes() const { return table_.bytes(); }
