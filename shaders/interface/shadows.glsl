@@ -51,6 +51,8 @@ float shadowLightScale(ShadowPair pair, ShadowTablePlace place, float exponent) 
   return scale;
 }
 
+#include "interface/refracted_light.glsl"
+
 // Visible share of sunlight at a point (scaled space, metres from the centre).
 vec4 visibleSunlight(vec3 scaled, int layer) {
   vec4 light = vec4(1.0);
@@ -58,6 +60,12 @@ vec4 visibleSunlight(vec3 scaled, int layer) {
   for (int caster = 0; caster < SHADOW_PAIRS; ++caster) {
     ShadowPair pair = shadowPairs[caster];
     ShadowPlace where = placeInShadow(pair, scaled * vec3(1.0, 1.0, shadowScale.x));
+#ifdef REFRACTED_LIGHT
+    if (refractedReach[caster].x > 0.0) {
+      light *= refractedSunlight(caster, where, shadowScale.y, layer);
+      continue;
+    }
+#endif
     ShadowTablePlace place = shadowTablePlace(pair, where);
     if (place.outer >= 1.0) continue;
     float column = place.inner < 1.0

@@ -59,6 +59,7 @@ namespace {
 #include "shared/pixel_scale.glsl"
 #include "shared/point_spread.glsl"
 #include "shared/projection.glsl"
+#include "shared/refracted_shadow.glsl"
 #include "shared/surface.glsl"
 #include "shared/tone_curve.glsl"
 }  // namespace

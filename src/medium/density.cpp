@@ -74,6 +74,18 @@ double DensityProfile::atMetres(double heightMetres) const {
   return densities_[i - 1] + t * (densities_[i] - densities_[i - 1]);
 }
 
+double DensityProfile::slopeAtMetres(double heightMetres) const {
+  double const h = std::max(heightMetres, 0.0);
+  if (kind_ == Kind::kExponential) return -std::exp(-h / scaleHeightMetres_) / scaleHeightMetres_;
+  if (h < heightsMetres_.front() || h >= heightsMetres_.back()) return 0.0;
+  auto const after = std::upper_bound(heightsMetres_.begin() + 1, heightsMetres_.end() - 1, h);
+  auto const i = static_cast<size_t>(after - heightsMetres_.begin());
+  double const width = heightsMetres_[i] - heightsMetres_[i - 1];
+  return kind_ == Kind::kLogarithmicTable
+             ? atMetres(h) * std::log(densities_[i] / densities_[i - 1]) / width
+             : (densities_[i] - densities_[i - 1]) / width;
+}
+
 Length DensityProfile::column(Length from, Length to) const {
   double const a = std::max(from / metre, 0.0), b = std::max(to / metre, a);
   if (kind_ == Kind::kExponential)

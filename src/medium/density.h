@@ -24,6 +24,9 @@ class DensityProfile {
   // Heights below zero count as zero.
   double at(Length height) const;
   double atMetres(double heightMetres) const;
+  // Change of the density per metre of height; at a node that of the piece above it, outside a
+  // table zero.
+  double slopeAtMetres(double heightMetres) const;
   // Integral of the density over height; exact but for rounding.
   Length column(Length from, Length to) const;
 

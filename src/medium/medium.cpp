@@ -42,6 +42,15 @@ Length Medium::lastWavelength() const {
   return last;
 }
 
+double Medium::clearShareAt(Length height) const {
+  if (clearHeights.empty() || height >= clearHeights.back()) return 1.0;
+  if (height <= clearHeights.front()) return clearShares.front();
+  auto const after = std::upper_bound(clearHeights.begin(), clearHeights.end(), height);
+  auto const i = static_cast<size_t>(after - clearHeights.begin());
+  double const t = (height - clearHeights[i - 1]) / (clearHeights[i] - clearHeights[i - 1]);
+  return clearShares[i - 1] + t * (clearShares[i] - clearShares[i - 1]);
+}
+
 std::vector<Length> Medium::kinks() const {
   std::vector<Length> heights;
   for (Constituent const& c : constituents)

@@ -43,7 +43,12 @@ struct Medium {
   Spectrum refractivity;
   std::string refractingConstituent;
   std::vector<Constituent> constituents;
+  // Share of the body's limb where no cloud (or land) stands in the way of a ray whose lowest point
+  // is at a height: straight lines between the nodes, 1 above the last. Empty: 1 everywhere.
+  std::vector<Length> clearHeights;
+  std::vector<double> clearShares;
 
+  double clearShareAt(Length height) const;
   Length topRadius() const { return radius + topHeight; }
   // One entry per constituent. Below the ground the density is that at the ground (400 m of it, at
   // the Dead Sea, miss 0.1 % of the Earth's air); above the top it is zero.

@@ -185,6 +185,23 @@ Constituent readConstituent(const Table& t) {
   return c;
 }
 
+// How much of the limb is clear of clouds, over the height of a ray's lowest point.
+void readClouds(const Table& t, Medium& m) {
+  (void)t.text("source");
+  auto const heights = t.numbers("heights_km");
+  m.clearShares = t.numbers("clear_share_of_limb");
+  if (heights.empty() || heights.size() != m.clearShares.size())
+    t.fail("clear_share_of_limb", fmt::format("found {} values for {} heights; allowed: one each",
+                                              m.clearShares.size(), heights.size()));
+  for (size_t i = 0; i < heights.size(); ++i) {
+    if (!(heights[i] >= 0.0) || (i > 0 && !(heights[i] > heights[i - 1])))
+      t.fail("heights_km", fmt::format("found {} km; allowed: 0 or more, ascending", heights[i]));
+    if (!(m.clearShares[i] >= 0.0 && m.clearShares[i] <= 1.0))
+      t.fail("clear_share_of_limb", fmt::format("found {}; allowed: 0 to 1", m.clearShares[i]));
+    m.clearHeights.push_back(heights[i] * kilometre);
+  }
+}
+
 Medium readTable(const Table& root) {
   Medium m;
   m.name = root.text("name");
@@ -214,6 +231,7 @@ Medium readTable(const Table& root) {
       refraction->fail("constituent",
                        fmt::format("found \"{}\"; allowed: {}", m.refractingConstituent, names));
   }
+  if (auto const clouds = root.tableIfPresent("clouds")) readClouds(*clouds, m);
   root.finish();
   if (!(m.firstWavelength() < m.lastWavelength()))
     throw InputError(root.file() + ": the tables have no wavelengths in common");

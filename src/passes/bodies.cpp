@@ -16,6 +16,7 @@
 #include "passes/body_shadows.h"
 #include "passes/body_tiles.h"
 #include "passes/eclipsed_source.h"
+#include "passes/refracted_light.h"
 #include "photometry/spectral_weights.h"
 #include "quantity/constants.h"
 
@@ -55,6 +56,7 @@ struct Resident {
   std::string air;  // key of its tables, or empty
   std::unique_ptr<BodyShadows> shadows;
   std::unique_ptr<EclipsedSource> eclipsed;
+  std::unique_ptr<RefractedLight> refracted;
   int pairCount = 0;
   LimbDarkeningLaw law = LimbDarkeningLaw::Hestroffer;
   bool illustrative = false;
@@ -76,6 +78,7 @@ struct BodiesPass::State {
   gl::Buffer vacuum;  // colours for bodies without air
   QuadratureBlock viewNodes, groundNodes;
   std::map<std::string, std::unique_ptr<AirTables>> airs;
+  std::map<std::string, std::shared_ptr<RefractedShadowTable>> refractedShadows;
   std::map<std::string, gl::Texture> maps;
   std::map<std::string, Resident> bodies;
   std::map<std::string, gl::Program> programs;
@@ -141,6 +144,27 @@ struct BodiesPass::State {
     }
     return tables.get();
   }
+
+  // What the casters' own airs bend into their shadows; null for those without.
+  std::vector<std::shared_ptr<RefractedShadowTable>> refractedTables(const PlannedBody& body,
+                                                                     LimbDarkeningLaw law) {
+    std::vector<std::shared_ptr<RefractedShadowTable>> tables;
+    for (auto const& caster : body.casters) {
+      if (caster.atmosphere.empty()) {
+        tables.emplace_back();
+        continue;
+      }
+      auto& table = refractedShadows[fmt::format("{} on {:.0f} m, Sun {:.0f} m, law {}",
+                                                 caster.atmosphere, caster.radii.casterUmbra.si,
+                                                 caster.radii.sun.si, static_cast<int>(law))];
+      if (!table)
+        table = std::make_shared<RefractedShadowTable>(
+            readMedium(catalogsFolder() / "atmospheres" / (caster.atmosphere + ".toml")),
+            caster.radii.casterUmbra, caster.radii.sun, wavelengths, law);
+      tables.push_back(table);
+    }
+    return tables;
+  }
 };
 
 BodiesPass::BodiesPass(ImageSource images, const AirQuality& quality, bool exact)
@@ -183,6 +207,17 @@ void BodiesPass::prepare(const PlannedBody& body, const Projection& picture, con
     resident.law = look.law;
     resident.illustrative = look.illustrative;
     shadowFlags = wanted;
+    auto tables = s.refractedTables(body, look.law);
+    if (std::any_of(tables.begin(), tables.end(), [](auto const& t) { return t != nullptr; })) {
+      if (!resident.refracted || resident.refracted->tables() != tables)
+        resident.refracted = std::make_unique<RefractedLight>(
+            std::move(tables), static_cast<int>(s.wavelengths.size()), Length(reach));
+      resident.refracted->update(pairs);
+      auto const more = RefractedLight::definitions();
+      shadowFlags.insert(shadowFlags.end(), more.begin(), more.end());
+    } else {
+      resident.refracted.reset();
+    }
     // Flat colours mark the shadows of the illustrative look; its light is that without an eclipse.
     if (look.illustrative) {
       shadowFlags.emplace_back("UNECLIPSED", "");
@@ -197,6 +232,7 @@ void BodiesPass::prepare(const PlannedBody& body, const Projection& picture, con
   } else if (resident.shadows) {
     resident.shadows.reset();
     resident.eclipsed.reset();
+    resident.refracted.reset();
     resident.sky.reset();
   }
 
@@ -282,6 +318,7 @@ bool BodiesPass::repeatSky(const PlannedBody& body) {
   auto& resident = found->second;
   if (resident.shadows) resident.shadows->bind();
   if (resident.eclipsed) resident.eclipsed->bind();
+  if (resident.refracted) resident.refracted->bind();
   resident.sky->update(*s.airs.at(resident.air), body.cameraHeight, resident.up, resident.sun);
   return true;
 }
@@ -302,6 +339,7 @@ void BodiesPass::draw(const PlannedBody& body, const Projection& picture, glm::i
   if (resident.skyShown) resident.sky->bind();
   if (resident.shadows) resident.shadows->bind();
   if (resident.eclipsed) resident.eclipsed->bind();
+  if (resident.refracted) resident.refracted->bind();
   resident.block.bindUniform(2);
   if (!body.map.empty()) s.maps.at(body.map).bind(0);
   if (!body.waterMask.empty()) s.maps.at(body.waterMask).bind(1);
@@ -344,6 +382,8 @@ std::vector<std::pair<std::string, std::size_t>> BodiesPass::residentBytes() con
   for (auto const& [name, resident] : state_->bodies) {
     if (resident.shadows) list.emplace_back("shadows on " + name, resident.shadows->bytes());
     if (resident.eclipsed) list.emplace_back("eclipsed air of " + name, resident.eclipsed->bytes());
+    if (resident.refracted)
+      list.emplace_back("light refracted toward " + name, resident.refracted->bytes());
     if (resident.sky) list.emplace_back("sky of " + name, resident.sky->bytes());
   }
   return list;

@@ -48,7 +48,11 @@ std::vector<PlannedBody::Caster> liveCasters(const PlacedBody& receiver,
         convention.radiiOf(neighbour.body->name, neighbour.body->equatorialRadius);
     auto const pair = shadowPair(sun, centre, radii);
     if (!glsl::mayBeShaded(pair, glm::dvec3(0.0), reach.si)) continue;
-    casters.push_back({neighbour.body->name, centre, radii});
+    casters.push_back({neighbour.body->name, centre, radii, neighbour.body->atmosphere});
+    if (!neighbour.body->atmosphere.empty())
+      plan.tables.push_back({neighbour.body->atmosphere + ", light refracted",
+                             fmt::format("the air of {} bends sunlight into its shadow on {}",
+                                         neighbour.body->name, receiver.body->name)});
     plan.shadows.push_back(
         {fmt::format("{} on {}", neighbour.body->name, receiver.body->name),
          fmt::format("its axis passes {:.0f} km from the centre, penumbra {:.0f} km wide",
