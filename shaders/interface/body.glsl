@@ -186,9 +186,9 @@ vec4 illustration(vec3 position, float footprint) {
   for (int caster = 0; caster < SHADOW_PAIRS; ++caster) {
     ShadowPair pair = shadowPairs[caster];
     ShadowPlace place = placeInShadow(pair, position * vec3(1.0, 1.0, shadowScale.x));
-    DiscPair discs = discsAt(pair, place.along, place.distance);
-    float umbra = umbraRadiusAt(pair, place.along);
-    float penumbra = penumbraRadiusAt(pair, place.along);
+    DiscPair discs = discsAt(pair, place);
+    float umbra = umbraRadiusAt(pair, place);
+    float penumbra = penumbraRadiusAt(pair, place);
     if (place.distance > penumbra + footprint || pair.casterBehind + place.along < 0.0) continue;
     float inPenumbra = clamp(0.5 + (penumbra - place.distance) / footprint, 0.0, 1.0);
     float inCentre = clamp(0.5 + (abs(umbra) - place.distance) / footprint, 0.0, 1.0);
@@ -198,7 +198,9 @@ vec4 illustration(vec3 position, float footprint) {
     float hidden = 1.0 - visibleFractionUniform(discs);
     // Obscuration per metre, for lines of equal width.
     float step_ = 0.02 * (penumbra - umbra);
-    float beside = 1.0 - visibleFractionUniform(discsAt(pair, place.along, place.distance + step_));
+    ShadowPlace beyond = place;
+    beyond.distance += step_;
+    float beside = 1.0 - visibleFractionUniform(discsAt(pair, beyond));
     float slope = max(abs(hidden - beside) / step_, 1e-12);
     for (int i = 1; i <= 4; ++i) {
       float off = abs(hidden - 0.2 * float(i)) / (slope * footprint);

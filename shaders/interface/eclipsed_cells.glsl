@@ -22,8 +22,8 @@ EclipsedCell eclipsedCell(ivec3 index) {
   ShadowPair pair = shadowPairs[0];
   vec3 across = eclipsedAcross.xyz * cos(angle) + eclipsedSide.xyz * sin(angle);
   vec3 toScaled = vec3(1.0, 1.0, 1.0 / shadowScale.x);
-  vec3 from = (pair.foot + across * distance) * toScaled;
-  vec3 along = pair.axis * toScaled;
+  vec3 from = fromCasterSpace(pair, pair.foot + across * distance) * toScaled;
+  vec3 along = fromCasterSpace(pair, pair.axis) * toScaled;
   // The sunlit crossing of the line parallel to the axis with the sphere at that height, or the
   // point nearest to it.
   float a = dot(along, along);

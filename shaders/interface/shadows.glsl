@@ -3,7 +3,7 @@
 #ifndef INTERFACE_SHADOWS_GLSL
 #define INTERFACE_SHADOWS_GLSL
 #ifdef SHADOW_PAIRS
-#include "shared/eclipse.glsl"
+#include "shared/several_casters.glsl"
 #define SHADOW_INNER 64
 
 layout(std140, binding = 7) uniform Shadows {
@@ -30,9 +30,9 @@ struct ShadowTablePlace {
 ShadowTablePlace shadowTablePlace(ShadowPair pair, ShadowPlace place) {
   ShadowTablePlace found;
   found.along = place.along;
-  found.umbra = umbraRadiusAt(pair, place.along);
+  found.umbra = umbraRadiusAt(pair, place);
   float edge = abs(found.umbra);
-  float penumbra = penumbraRadiusAt(pair, place.along);
+  float penumbra = penumbraRadiusAt(pair, place);
   found.inner = found.umbra < 0.0 ? min(place.distance / edge, 1.0) : 1.0;
   found.outer = sqrt(max((place.distance - edge) / (penumbra - edge), 0.0));
   return found;
@@ -53,10 +53,16 @@ float shadowLightScale(ShadowPair pair, ShadowTablePlace place, float exponent) 
 
 #include "interface/refracted_light.glsl"
 
-// Visible share of sunlight at a point (scaled space, metres from the centre).
+// Visible share of sunlight at a point (scaled space, metres from the centre): the union of the
+// casters' discs where more than one covers a part of the Sun.
 vec4 visibleSunlight(vec3 scaled, int layer) {
   vec4 light = vec4(1.0);
   vec2 size = vec2(textureSize(shadowLight, 0).xy);
+#if SHADOW_PAIRS > 1
+  vec4 least = vec4(1.0);
+  SunCover cover = noCover();
+  vec3 first = vec3(0.0);
+#endif
   for (int caster = 0; caster < SHADOW_PAIRS; ++caster) {
     ShadowPair pair = shadowPairs[caster];
     ShadowPlace where = placeInShadow(pair, scaled * vec3(1.0, 1.0, shadowScale.x));
@@ -68,14 +74,35 @@ vec4 visibleSunlight(vec3 scaled, int layer) {
 #endif
     ShadowTablePlace place = shadowTablePlace(pair, where);
     if (place.outer >= 1.0) continue;
+#if SHADOW_PAIRS > 1
+    // No shadow before the caster.
+    if (pair.casterBehind + place.along < -pair.casterRadius) continue;
+#endif
     float column = place.inner < 1.0
                        ? place.inner * float(SHADOW_INNER - 1)
                        : float(SHADOW_INNER) + place.outer * (size.x - float(SHADOW_INNER + 1));
     float row = clamp((1.0 + place.along / shadowScale.y) / 1.25, 0.0, 1.0) * (size.y - 1.0);
-    light *= shadowLightScale(pair, place, shadowLaws[layer].exponent.y) *
-             textureLod(shadowLight, vec3((vec2(column, row) + 0.5) / size,
-                                          float(caster * AIR_LAYERS + layer)), 0.0);
+    vec4 past = shadowLightScale(pair, place, shadowLaws[layer].exponent.y) *
+                textureLod(shadowLight, vec3((vec2(column, row) + 0.5) / size,
+                                             float(caster * AIR_LAYERS + layer)), 0.0);
+#if SHADOW_PAIRS > 1
+    if (place.umbra > 0.0 && place.outer <= 0.0) return vec4(0.0);
+    vec3 toward = limbDirection(pair, where);
+    if (cover.count == 0) first = toward;
+    if (cover.count == kMostDiscs) {
+      light *= past;
+    } else {
+      least = min(least, past);
+      cover = withDisc(cover, discsAt(pair, where), turnBetween(pair, first, toward));
+    }
+#else
+    light *= past;
+#endif
   }
+#if SHADOW_PAIRS > 1
+  if (cover.count > 1) least = min(least, visibleFractionOfUnion(cover, shadowLaws[layer]));
+  light *= least;
+#endif
   return light;
 }
 

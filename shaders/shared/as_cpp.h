@@ -60,6 +60,7 @@ namespace {
 #include "shared/point_spread.glsl"
 #include "shared/projection.glsl"
 #include "shared/refracted_shadow.glsl"
+#include "shared/several_casters.glsl"
 #include "shared/surface.glsl"
 #include "shared/tone_curve.glsl"
 }  // namespace

@@ -29,8 +29,11 @@ struct DiscPair {
               // gap <= 0; nothing hidden where gap >= 2 sun
 };
 
-// The shadow that a sphere casts, prepared in double precision on the CPU for points near an origin
-// (eclipse/shadow_pair.h). Fills four vec4 in this order. Radii are measured across the axis.
+// The shadow that a sphere or an oblate spheroid casts, prepared in double precision on the CPU for
+// points near an origin (eclipse/shadow_pair.h). Fills five vec4 in this order. All of it holds in
+// the caster's space: axes stretched along its pole about the origin, so that the caster is a sphere
+// of its equatorial radius (the same space for a sphere). Radii are measured across the axis, toward
+// the caster's equator; elsewhere the Sun, a spheroid there, reaches farther (ShadowPlace).
 struct ShadowPair {
   Position foot;          // point of the shadow axis nearest the origin
   Length umbraRadius;     // at the foot; negative beyond the apex (antumbra)
@@ -44,13 +47,25 @@ struct ShadowPair {
   Number umbraSine;     // of the umbral cone's half-angle
   Number umbraCosine;
   Number penumbraTangent;  // gain of penumbral radius per metre along the axis
+  Direction pole;          // of the caster
+  Number squash;           // its equatorial over its polar radius, minus 1
 };
 
-// Where a point lies in a shadow.
+// Where a point lies in a shadow, in the caster's space.
 struct ShadowPlace {
   Length along;     // along the axis from the foot, away from the Sun
   Length distance;  // from the axis
   Direction away;   // unit vector from the axis to the point; any unit vector on the axis
+  Number stretch;   // reach of the Sun toward `away` over its radius: 1 for a spherical caster
+};
+
+// Discs before the Sun, in its radii and about its centre.
+const Index kMostDiscs = 6;
+struct SunCover {
+  Index count;
+  Number radius[6];
+  Number away[6];  // of the centre from the Sun's
+  Angle turn[6];   // direction of the centre about the Sun's
 };
 
 // Where a ray crosses a cone. `count` is 0 or 2; between `first` and `second` the ray is inside the

@@ -46,9 +46,7 @@ SunShadow::SunShadow(const Sunlight& sun, Length wavelength)
 }
 
 double SunShadow::visibleShare(const glm::dvec3& metres) const {
-  double share = 1.0;
-  for (auto const& pair : pairs_) share *= glsl::visibleSunlight(pair, law_, metres).x;
-  return share;
+  return visibleSunlight(pairs_, law_, metres).x;
 }
 
 DiscProfile::DiscProfile(LimbDarkeningLaw law, Length wavelength)

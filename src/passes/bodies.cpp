@@ -193,7 +193,7 @@ void BodiesPass::prepare(const PlannedBody& body, const Projection& picture, con
   if (!body.casters.empty()) {
     std::vector<glsl::ShadowPair> pairs;
     for (auto const& caster : body.casters)
-      pairs.push_back(shadowPair(body.sun, caster.centre, caster.radii));
+      pairs.push_back(shadowPair(body.sun, caster.centre, caster.radii, caster.figure));
     double const reach = radius + (air ? air->top().si : 0.0);
     gl::Definitions const wanted{{"SHADOW_PAIRS", std::to_string(pairs.size())}};
     if (!resident.shadows || keyOf(resident.shadows->definitions()) != keyOf(wanted) ||

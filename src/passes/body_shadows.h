@@ -2,7 +2,9 @@
 // Sun's visible light between its cones, for the wavelengths of the body's air.
 // The table replaces the closed form: 64 places in the antumbra and 256 between the cones by 49
 // along the axis; relative error against it below 1e-3 (tests/passes/body_shadows_gl_test.cpp).
-// Several casters multiply: where their discs overlap before the Sun too much light is lost.
+// Where several casters cover a part of the Sun at once, the union of their discs is computed at
+// the sample (shaders/shared/several_casters.glsl). The table of an oblate caster is that of its
+// equator's side.
 #pragma once
 
 #include <vector>

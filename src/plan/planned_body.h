@@ -28,6 +28,7 @@ struct PlannedBody {
     std::string name;
     Displacement<BodyFixed> centre;
     ShadowRadii radii;
+    CasterFigure figure;
     std::string atmosphere;  // medium of its air, which bends light into the shadow, or empty
   };
   std::vector<Caster> casters;

@@ -46,9 +46,11 @@ std::vector<PlannedBody::Caster> liveCasters(const PlacedBody& receiver,
     auto const centre = receiver.bodyFromIcrs(neighbour.fromBody);
     ShadowRadii const radii =
         convention.radiiOf(neighbour.body->name, neighbour.body->equatorialRadius);
-    auto const pair = shadowPair(sun, centre, radii);
+    CasterFigure const figure{receiver.bodyFromIcrs(neighbour.pole).u,
+                              neighbour.body->polarRadius / neighbour.body->equatorialRadius};
+    auto const pair = shadowPair(sun, centre, radii, figure);
     if (!glsl::mayBeShaded(pair, glm::dvec3(0.0), reach.si)) continue;
-    casters.push_back({neighbour.body->name, centre, radii, neighbour.body->atmosphere});
+    casters.push_back({neighbour.body->name, centre, radii, figure, neighbour.body->atmosphere});
     if (!neighbour.body->atmosphere.empty())
       plan.tables.push_back({neighbour.body->atmosphere + ", light refracted",
                              fmt::format("the air of {} bends sunlight into its shadow on {}",

@@ -159,7 +159,8 @@ PlacedScene placeScene(const Scene& scene, Instant when, const BodyCatalogue& ca
       if (&other == &b || &other == &placed.bodies[star]) continue;
       if (!mayCast(b, other)) continue;
       b.neighbours.push_back(
-          {other.body, apparentPlace(ephemeris, bodyIdOf(*other.body), eye, b.when).displacement});
+          {other.body, apparentPlace(ephemeris, bodyIdOf(*other.body), eye, b.when).displacement,
+           other.bodyFromIcrs.inverse()(Direction<BodyFixed>{{0.0, 0.0, 1.0}})});
     }
   }
 

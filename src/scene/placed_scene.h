@@ -32,6 +32,7 @@ struct PlacedBody {
   struct Neighbour {
     const Body* body = nullptr;
     Displacement<Icrs> fromBody;
+    Direction<Icrs> pole;
   };
   std::vector<Neighbour> neighbours;
 };

@@ -71,5 +71,58 @@ TEST_F(BodyShadowsGlTest, TableFollowsTheClosedForm) {
   }
 }
 
+// Two moons and an oblate planet before the Sun of one receiver: the programs' light against the
+// union in doubles, which rays confirm (tests/eclipse/several_casters_test.cpp).
+TEST_F(BodyShadowsGlTest, SeveralCastersHideTheUnionOfTheirDiscs) {
+  std::array<Length, 4> const four{440.0 * nanometre, 500.0 * nanometre, 550.0 * nanometre,
+                                   680.0 * nanometre};
+  auto const law = limbDarkening(LimbDarkeningLaw::Hestroffer, four);
+  glm::dvec3 const sun(7.78e11, 0.0, 0.0);
+  glm::dvec3 const pole = glm::normalize(glm::dvec3(0.1, 0.2, 1.0));
+  auto const moon = [&](const glm::dvec3& centre, double radius) {
+    return shadowPairMetres(sun, centre, {kSolarRadiusIau, Length(radius), Length(radius)});
+  };
+  std::vector<glsl::ShadowPair> const pairs{
+      moon({4.2e8, 0.0, 0.0}, 4.5e5), moon({6.7e8, 2e5, 4e5}, 5.0e5),
+      shadowPairMetres(sun, {1.0e9, 3.0e5, -7.15e7},
+                       {kSolarRadiusIau, 7.1e7 * metre, 7.1e7 * metre}, {pole, 0.93})};
+  BodyShadows const shadows(pairs, 1.0, LimbDarkeningLaw::Hestroffer, {four.begin(), four.end()},
+                            Length(2e6));
+  auto const probe =
+      gl::Program::compute("bench/shadow_probe.comp", {{"SHADOW_PAIRS", "3"}, {"AIR_LAYERS", "1"}});
+  std::vector<glm::vec4> places;
+  for (int y = -20; y <= 20; ++y)
+    for (int z = -20; z <= 60; ++z) places.emplace_back(1e6f, 5e4f * float(y), 8e4f * float(z), 0);
+  gl::Buffer in, out;
+  in.write(std::span<const glm::vec4>(places));
+  std::vector<glm::vec4> light(places.size());
+  out.write(std::span<const glm::vec4>(light));
+  in.bindStorage(0);
+  out.bindStorage(1);
+  shadows.bind();
+  probe.use();
+  glDispatchCompute(static_cast<GLuint>((places.size() + 31) / 32), 1, 1);
+  glMemoryBarrier(GL_ALL_BARRIER_BITS);
+  glGetNamedBufferSubData(out.id(), 0, static_cast<GLsizeiptr>(light.size() * sizeof(glm::vec4)),
+                          light.data());
+  double worst = 0.0;
+  int shared = 0, dark = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    glm::dvec3 const point(places[i]);
+    auto const expected = visibleSunlight(pairs, law, point);
+    int covering = 0;
+    for (auto const& pair : pairs) covering += glsl::visibleSunlight(pair, law, point).x < 0.999;
+    shared += covering > 1;
+    dark += expected.x == 0.0;
+    for (int k = 0; k < 4; ++k)
+      worst = std::max(worst, std::fabs(static_cast<double>(light[i][k]) - expected[k]));
+  }
+  std::printf("%d points behind several discs: within %.1e of the Sun\n", shared, worst);
+  EXPECT_GT(shared, 300);
+  EXPECT_GT(dark, 2);
+  // Floats, and the linear steps of the tables where one disc covers alone.
+  EXPECT_LT(worst, 5e-4);
+}
+
 }  // namespace
 }  // namespace antumbra
