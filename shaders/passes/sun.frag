@@ -31,16 +31,16 @@ void main() {
       vec2 offset = (vec2(float(i), float(j)) + 0.5) / float(samples) - 0.5;
       vec2 point = middle.xy + right * offset.x + up * offset.y;
       float d = length(point);
-      // At the limb the sample is a piece of the radius: disc and bodies are cut together, so that
-      // nothing is left where a body reaches beyond the limb by less than a sample.
+      // The sample is a piece of the radius, of which the bodies leave a part: its brightness counts.
+      // At the limb disc and bodies are cut together, so that nothing is left where a body reaches
+      // beyond the limb by less than a sample.
       float from = max(d - 0.5 * step, 0.0);
       float to = min(d + 0.5 * step, 1.0);
       if (to <= from) continue;
-      bool cut = d + 0.5 * step > 1.0;
-      vec2 outward = point / max(d, 1e-9);
-      float share = cut ? (to - from) / step * uncoveredAlong(outward * from, outward * to)
-                        : uncoveredAt(point, step);
-      if (share > 0.0) sum += photosphereAt(law, outward * (0.5 * (from + to))).rgb * share;
+      vec2 ring = uncoveredBetween(point / max(d, 1e-9), from, to);
+      float share = d + 0.5 * step > 1.0 ? (ring.y - ring.x) / step : uncoveredAt(point, step);
+      if (ring.y <= ring.x) ring = vec2(from, to);
+      if (share > 0.0) sum += photosphereBetween(law, ring).rgb * share;
     }
   float inside = viewRayOf(gl_FragCoord.xy).inside;
   luminance = vec4(sunMeanLuminance * sum * (inside / float(samples * samples)), 0.0);

@@ -41,25 +41,25 @@ vec3 sunPlanePoint(vec3 ray) {
   return vec3(dot(offset, sunAcross) / along, dot(offset, sunUp) / along, along > 0.0 ? 1.0 : 0.0);
 }
 
-// Share of a short line of the plane that the bodies leave free, by interpolating each outline's
-// quadric between the ends: nothing where both ends are hidden.
-float uncoveredAlong(vec2 from, vec2 to) {
-  float free = 1.0;
+// What the bodies leave free of a short line outwards from the disc's centre, between two distances
+// from it, by interpolating each outline's quadric between the ends: from x to y, nothing where both
+// ends are hidden.
+vec2 uncoveredBetween(vec2 outward, float from, float to) {
+  vec2 free = vec2(from, to);
   for (int i = 0; i < silhouetteCount; ++i) {
     vec4 a = silhouettes[3 * i];
     vec4 b = silhouettes[3 * i + 1];
     vec3 front = vec3(a.w, b.w, silhouettes[3 * i + 2].x);
     mat3 quadric = mat3(a.x, a.y, b.x, a.y, a.z, b.y, b.x, b.y, b.z);
-    vec3 p = vec3(from, 1.0);
-    vec3 q = vec3(to, 1.0);
+    vec3 p = vec3(outward * from, 1.0);
+    vec3 q = vec3(outward * to, 1.0);
     float atFrom = dot(front, p) > 0.0 ? dot(p, quadric * p) : -1.0;
     float atTo = dot(front, q) > 0.0 ? dot(q, quadric * q) : -1.0;
-    float reach = max(abs(atFrom - atTo), 1e-20);
-    float covered = atFrom > 0.0 ? (atTo > 0.0 ? 1.0 : atFrom / reach)
-                                 : (atTo > 0.0 ? atTo / reach : 0.0);
-    free = min(free, 1.0 - covered);
+    float crossing = mix(from, to, atFrom / (sign(atFrom) * max(abs(atFrom - atTo), 1e-20)));
+    if (atFrom > 0.0) free.x = atTo > 0.0 ? to : max(free.x, crossing);
+    else if (atTo > 0.0) free.y = min(free.y, crossing);
   }
-  return free;
+  return vec2(free.x, max(free.x, free.y));
 }
 
 // Share of a small square of side `step` around a point that the bodies leave free. Distances to an
@@ -88,5 +88,16 @@ vec4 photosphereAt(LimbDarkening law, vec2 point) {
   // Cosine from the solar normal: the sphere's, not the plane's.
   float cosineSquared = (1.0 - squared) / (1.0 + squared * sunTangent * sunTangent);
   return solarBrightness(law, sqrt(max(cosineSquared, 0.0)));
+}
+
+// The same as the mean over a ring between two distances from the centre: in closed form near the limb,
+// where the brightness falls steeply within a sample.
+vec4 photosphereBetween(LimbDarkening law, vec2 ring) {
+  vec2 depth = 1.0 - ring;
+  vec2 cosineSquared = depth * (1.0 + ring);
+  float area = cosineSquared.x - cosineSquared.y;
+  if (area <= max(0.05 * cosineSquared.x, 1e-7))
+    return photosphereAt(law, vec2(0.5 * (ring.x + ring.y), 0.0));
+  return (lightOutsideRing(law, cosineSquared.x) - lightOutsideRing(law, cosineSquared.y)) / area;
 }
 #endif

@@ -41,7 +41,7 @@ bool SunPass::draw(const Projection& projection, const SunInView& sun, const Sun
   blendAdditively();
   setSunPlane(program_, projection.kind, plane, sun.law, silhouettes);
   // Samples so that an edge is known to 1/100 of the disc's radius at least.
-  int const samples = std::clamp(static_cast<int>(std::ceil(4.0 + 36.0 * pixel)), 4, 16);
+  int const samples = std::clamp(static_cast<int>(std::ceil(8.0 + 36.0 * pixel)), 8, 16);
   program_.set("finestSamples", samples);
   program_.use();
   gl::drawFullScreen();

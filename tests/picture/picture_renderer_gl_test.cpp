@@ -9,15 +9,13 @@
 #include "document/input_error.h"
 #include "document/paths.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/ground_window.h"
 
 namespace antumbra {
 namespace {
 
 using GlTest = testsupport::GlTest;
-
-DecodedImage greyMap(const std::string&, const std::string&) {
-  return {4, 2, 3, std::vector<unsigned char>(4 * 2 * 3, 128)};
-}
+using testsupport::greyMap;
 
 struct Drawn {
   RenderPlan plan;
