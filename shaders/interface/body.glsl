@@ -190,20 +190,24 @@ vec4 illustration(vec3 position, float footprint) {
     float umbra = umbraRadiusAt(pair, place);
     float penumbra = penumbraRadiusAt(pair, place);
     if (place.distance > penumbra + footprint || pair.casterBehind + place.along < 0.0) continue;
-    float inPenumbra = clamp(0.5 + (penumbra - place.distance) / footprint, 0.0, 1.0);
-    float inCentre = clamp(0.5 + (abs(umbra) - place.distance) / footprint, 0.0, 1.0);
+    // A step of the footprint along the ground crosses the cone by less where the Sun is low.
+    vec3 outward = normalize(vec3(position.xy, position.z / shadowScale.x));
+    vec3 across = place.away + pair.axis * (umbra > 0.0 ? pair.umbraTangent : -pair.umbraTangent);
+    float step_ = footprint * length(across - outward * dot(outward, across));
+    float inPenumbra = clamp(0.5 + (penumbra - place.distance) / step_, 0.0, 1.0);
+    float inCentre = clamp(0.5 + (abs(umbra) - place.distance) / step_, 0.0, 1.0);
     vec3 centre = umbra > 0.0 ? vec3(0.02, 0.02, 0.08) : vec3(0.75, 0.25, 0.02);
     vec4 here = mix(vec4(0.16, 0.22, 0.55, 0.45), vec4(centre, 0.95), inCentre) *
                 vec4(vec3(1.0), inPenumbra);
     float hidden = 1.0 - visibleFractionUniform(discs);
     // Obscuration per metre, for lines of equal width.
-    float step_ = 0.02 * (penumbra - umbra);
+    float aside = 0.02 * (penumbra - umbra);
     ShadowPlace beyond = place;
-    beyond.distance += step_;
+    beyond.distance += aside;
     float beside = 1.0 - visibleFractionUniform(discsAt(pair, beyond));
-    float slope = max(abs(hidden - beside) / step_, 1e-12);
+    float slope = max(abs(hidden - beside) / aside, 1e-12);
     for (int i = 1; i <= 4; ++i) {
-      float off = abs(hidden - 0.2 * float(i)) / (slope * footprint);
+      float off = abs(hidden - 0.2 * float(i)) / (slope * step_);
       here = mix(here, vec4(1.0, 0.9, 0.3, 0.95), clamp(1.5 - off, 0.0, 1.0) * (1.0 - inCentre));
     }
     mark = mix(mark, vec4(here.rgb, 1.0), here.a);
