@@ -2,6 +2,7 @@
 //   AIR_LAYERS        groups of four wavelengths
 //   AIR_CONSTITUENTS  constituents, smooth phase functions first
 //   AIR_SMOOTH        how many of them scatter smoothly (molecules) or not at all
+//   AIR_DARK          how many of those, the first, do not scatter at all
 // Mirrors `AirBlock` in src/passes/air_tables.cpp.
 #ifndef INTERFACE_AIR_GLSL
 #define INTERFACE_AIR_GLSL
@@ -12,6 +13,7 @@
 
 layout(std140, binding = 1) uniform Air {
   vec4 airShape;  // ground radius m, top m, lowest Sun cosine of the source table, Sun's radius rad
+  vec4 airReach;  // from a point of the ground along its horizon to the top, m; 1 / that; 1 / top
   vec4 airGroundAlbedo[AIR_LAYERS];
   vec4 airScattering[AIR_LAYERS * AIR_CONSTITUENTS];  // 1/m at density 1
   vec4 airExtinction[AIR_LAYERS * AIR_CONSTITUENTS];
@@ -39,23 +41,30 @@ AirShell airShell() {
   AirShell shell;
   shell.radius = airShape.x;
   shell.top = airShape.y;
+  shell.widest = airReach.x;
+  shell.overWidest = airReach.y;
+  shell.overTop = airReach.z;
   return shell;
 }
 
-// Texel centres of [0, 1].
-vec2 onTexels(vec2 place, ivec2 size) { return (place * vec2(size - 1) + 0.5) / vec2(size); }
+// Texel centres of [0, 1]: x and y are scaled by xy and shifted by zw. Found once a ray: shader
+// compilers do not move the divisions out of loops.
+vec4 texelsOf(ivec2 size) {
+  vec2 shift = 1.0 / vec2(size);
+  return vec4(1.0 - shift, 0.5 * shift);
+}
+vec2 onTexels(vec2 place, vec4 texels) { return place * texels.xy + texels.zw; }
 
 struct AirDensities {
   float of[AIR_DENSITY_ROWS * 4];
 };
 
-AirDensities densitiesAt(float height) {
-  float x = sqrt(clamp(height / airShape.y, 0.0, 1.0));
-  int count = textureSize(airDensities, 0).x;
+// `root`: of the height (air_geometry.glsl, rootHeight), on texels.
+AirDensities densitiesAt(float root) {
   AirDensities d;
   for (int row = 0; row < AIR_DENSITY_ROWS; ++row) {
     float y = (float(row) + 0.5) / float(AIR_DENSITY_ROWS);
-    vec4 four = textureLod(airDensities, vec2((x * float(count - 1) + 0.5) / float(count), y), 0.0);
+    vec4 four = textureLod(airDensities, vec2(root, y), 0.0);
     d.of[row * 4] = four.x;
     d.of[row * 4 + 1] = four.y;
     d.of[row * 4 + 2] = four.z;
@@ -63,6 +72,7 @@ AirDensities densitiesAt(float height) {
   }
   return d;
 }
+vec2 densityTexels() { return texelsOf(textureSize(airDensities, 0)).xz; }
 
 // Phase function of a constituent, 1/sr.
 vec4 phaseOf(int constituent, int layer, float cosine) {
@@ -72,16 +82,23 @@ vec4 phaseOf(int constituent, int layer, float cosine) {
   return textureLod(airPhases, vec2((x * float(size.x - 1) + 0.5) / float(size.x), y), 0.0);
 }
 
+vec4 depthTexels() { return texelsOf(textureSize(airDepths, 0).xy); }
 vec2 depthPlace(float height, float cosine) {
-  return onTexels(depthCoordinates(airShell(), height, cosine), textureSize(airDepths, 0).xy);
+  return onTexels(depthCoordinates(airShell(), height, cosine), depthTexels());
 }
 vec4 depthAt(vec2 place, int layer) { return textureLod(airDepths, vec3(place, float(layer)), 0.0); }
 
-// Share of the Sun's disc above the ground's horizon: linear over the disc.
-float sunAboveHorizon(float height, float sunCosine) {
-  float edge = horizonCosine(airShell(), max(height, 0.0));
-  float size = max(airShape.w, 1e-7);
-  return clamp(0.5 + 0.5 * (sunCosine - edge) / size, 0.0, 1.0);
+// Where the source table holds a height and a Sun.
+vec4 sourceTexels() { return texelsOf(textureSize(airSource, 0).xy); }
+vec2 sourcePlaceOf(float height, float sunCosine) {
+  vec2 place = vec2(sourceColumn(sunSpan(airShape.z), sunCosine), rootHeight(airShell(), height));
+  return onTexels(place, sourceTexels());
+}
+
+// Share of the Sun's disc above the ground's horizon, linear over the disc, from the cosine of its
+// zenith angle less that of the horizon's.
+float sunAboveHorizon(float above) {
+  return clamp(0.5 + 0.5 * above / max(airShape.w, 1e-7), 0.0, 1.0);
 }
 
 vec3 colourOf(vec4 light[AIR_LAYERS]) {

@@ -5,8 +5,13 @@
 //
 // Samples are Gauss-Legendre nodes in u with height = low + (high - low) u^3 along each leg: dense
 // where air is dense and where a ray is tangent.
+//   BODY_SUNLIT, BODY_DUSK, BODY_NIGHT  every ray meets the ground; with the Sun above 7 degrees
+//   BODY_SKY                            none does
 #ifndef INTERFACE_AIR_MARCH_GLSL
 #define INTERFACE_AIR_MARCH_GLSL
+#if defined(BODY_SUNLIT) || defined(BODY_DUSK) || defined(BODY_NIGHT)
+#define BODY_GROUND
+#endif
 #include "interface/air.glsl"
 #include "interface/shadows.glsl"
 
@@ -103,18 +108,30 @@ AirWay wayOf(AirRay ray) {
   return way;
 }
 
-// Optical depth from the start of a way to its end.
-vec4 depthOfWay(AirRay ray, AirWay way, int layer) {
+// Where a way's start and low end lie in the table of optical depths, both looking up along it; the
+// optical depth of the way is `starts` times the one and `lows` times the other.
+struct WayEnds {
+  vec2 start;
+  vec2 low;
+  float starts;
+  float lows;
+};
+
+WayEnds endsOf(AirRay ray, AirWay way) {
   AirShell shell = airShell();
-  float r = shell.radius + ray.height;
-  if (way.legCount == 2) {
-    float low = shell.radius + way.legs[0].lowHeight;
-    vec4 tangent = depthAt(depthPlace(way.legs[0].lowHeight, 0.0), layer);
-    return max(2.0 * tangent - depthAt(depthPlace(ray.height, -ray.rise / r), layer), vec4(0.0));
-  }
-  if (!way.hitsGround) return depthAt(depthPlace(ray.height, ray.rise / r), layer);
-  return max(depthAt(depthPlace(0.0, way.legs[0].lowRise / shell.radius), layer) -
-                 depthAt(depthPlace(ray.height, -ray.rise / r), layer), vec4(0.0));
+  vec4 texels = depthTexels();
+  AirLeg leg = way.legs[0];
+  WayEnds ends;
+  ends.start = onTexels(depthCoordinatesOf(shell, depthRow(shell, ray.height), abs(ray.rise)), texels);
+  ends.low = onTexels(depthCoordinatesOf(shell, depthRow(shell, leg.lowHeight), leg.lowRise), texels);
+  ends.starts = leg.sense;
+  ends.lows = way.legCount == 2 ? 2.0 : way.hitsGround ? 1.0 : 0.0;
+  return ends;
+}
+
+// Optical depth from the start of a way to its end.
+vec4 depthOfWay(WayEnds ends, int layer) {
+  return max(ends.starts * depthAt(ends.start, layer) + ends.lows * depthAt(ends.low, layer), vec4(0.0));
 }
 
 #ifdef AIR_SOURCE
@@ -126,11 +143,9 @@ struct SourceParts {
   vec4 second;
 };
 
-SourceParts sourcePartsAt(AirPoint p, float sense, float sunAlong, vec3 where, vec3 direction,
-                          int layer) {
-  AirShell shell = airShell();
-  vec2 at = onTexels(sourceCoordinates(shell, airShape.z, p.height, p.sunCosine),
-                     textureSize(airSource, 0).xy);
+// `at`: its place in the source table.
+SourceParts sourcePartsAt(vec2 at, AirPoint p, float sense, float sunAlong, vec3 where,
+                          vec3 direction, int layer) {
   SunFrame f = sunFrame(sense * p.cosine, p.sunCosine, sunAlong);
   float first = float(layer * 7);
   SourceParts parts;
@@ -167,15 +182,10 @@ SourceParts sourcePartsAt(AirPoint p, float sense, float sunAlong, vec3 where, v
   return parts;
 }
 
-// Averaged with the phase functions and times the scattering coefficients: 1/(m sr).
-vec4 scatteredSource(AirDensities d, SourceParts parts, int layer) {
-  vec4 sum = vec4(0.0);
-  for (int c = 0; c < AIR_CONSTITUENTS; ++c) {
-    int i = layer * AIR_CONSTITUENTS + c;
-    sum += airScattering[i] * d.of[c] *
-           (parts.even + airPhaseMoment1[i] * parts.first + airPhaseMoment2[i] * parts.second);
-  }
-  return max(sum, vec4(0.0));
+// Averaged with the phase function of a constituent and times its scattering coefficient: 1/(m sr).
+vec4 sourceOf(SourceParts parts, int i) {
+  return airScattering[i] *
+         (parts.even + airPhaseMoment1[i] * parts.first + airPhaseMoment2[i] * parts.second);
 }
 #endif
 
@@ -190,68 +200,96 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, bool sparse, vec4 befo
               vec4 phases[AIR_LAYERS * AIR_CONSTITUENTS], inout AirLight light) {
   AirShell shell = airShell();
   float span = leg.highHeight - leg.lowHeight;
+  float topRise = sqrt(leg.lowRise * leg.lowRise + squareBetween(shell, leg.lowHeight, shell.top));
+  vec4 depths = depthTexels();
+  vec2 densities = densityTexels();
 #ifdef AIR_SOURCE
-  SourceParts low[AIR_LAYERS], high[AIR_LAYERS];
-  float highRoot = 1.0;
+  vec4 sources = sourceTexels();
+  SunSpan suns = sunSpan(airShape.z);
+  vec4 low[AIR_LAYERS * AIR_CONSTITUENTS], rise[AIR_LAYERS * AIR_CONSTITUENTS];
+  float overHigh = 1.0;
   if (sparse) {
     AirPoint a = pointOnLeg(shell, leg, ray.sunAlong, leg.lowHeight);
     AirPoint b = pointOnLeg(shell, leg, ray.sunAlong, min(kSparseHeight * shell.top, leg.highHeight));
-    highRoot = 1.0 / max(sqrt(b.height), 1e-3);
+    overHigh = 1.0 / max(rootHeight(shell, b.height), 1e-6);
+    vec2 placeA = onTexels(vec2(sourceColumn(suns, a.sunCosine), rootHeight(shell, a.height)), sources);
+    vec2 placeB = onTexels(vec2(sourceColumn(suns, b.sunCosine), rootHeight(shell, b.height)), sources);
     for (int layer = 0; layer < AIR_LAYERS; ++layer) {
-      low[layer] = sourcePartsAt(a, leg.sense, ray.sunAlong, placeOnLeg(ray, leg, 0.0), ray.direction, layer);
-      high[layer] = sourcePartsAt(b, leg.sense, ray.sunAlong, placeOnLeg(ray, leg, b.fromLow), ray.direction, layer);
+      SourceParts lower = sourcePartsAt(placeA, a, leg.sense, ray.sunAlong, placeOnLeg(ray, leg, 0.0),
+                                        ray.direction, layer);
+      SourceParts upper = sourcePartsAt(placeB, b, leg.sense, ray.sunAlong,
+                                        placeOnLeg(ray, leg, b.fromLow), ray.direction, layer);
+      for (int c = AIR_DARK; c < AIR_CONSTITUENTS; ++c) {
+        int i = layer * AIR_CONSTITUENTS + c;
+        low[i] = sourceOf(lower, i);
+        rise[i] = sourceOf(upper, i) - low[i];
+      }
     }
   }
 #endif
   // Loops test at their end: a software renderer runs the body once more where they test before it.
-  int i = 0;
+  int n = 0;
   do {
-    float u = mix(u0, u1, nodes[i].x);
+    float u = mix(u0, u1, nodes[n].x);
     AirPoint p = pointOnLeg(shell, leg, ray.sunAlong, leg.lowHeight + span * u * u * u);
-    float distance = (u1 - u0) * nodes[i].y * 3.0 * u * u * span / max(p.cosine, 1e-9);
-    AirDensities d = densitiesAt(p.height);
-    vec2 viewPlace = depthPlace(p.height, p.cosine);
+    float distance = (u1 - u0) * nodes[n].y * 3.0 * u * u * span / max(p.cosine, 1e-9);
+    float root = rootHeight(shell, p.height);
+    AirDensities d = densitiesAt(root * densities.x + densities.y);
+    DepthRow row = depthRow(shell, p.height);
+    float toTop = row.gain / max(topRise + p.rise, 1e-9);
+    vec2 viewPlace = onTexels(depthCoordinatesAt(shell, row, toTop), depths);
 #ifdef AIR_SINGLE
-    float above = sunAboveHorizon(p.height, p.sunCosine);
-    vec2 toSun = depthPlace(p.height, p.sunCosine);
+    vec2 sunPlace = onTexels(depthCoordinatesOf(shell, row, p.sunRise), depths);
+#ifdef BODY_SUNLIT
+    const float above = 1.0;
+#else
+    float above = sunAboveHorizon((p.sunRise + row.across) * p.overRadius);
+#endif
+#endif
+#ifdef AIR_SOURCE
+    vec2 sourcePlace = onTexels(vec2(sourceColumn(suns, p.sunCosine), root), sources);
+    float share = min(root * overHigh, kSparseReach);
 #endif
     vec3 where = placeOnLeg(ray, leg, p.fromLow);
     for (int layer = 0; layer < AIR_LAYERS; ++layer) {
       vec4 depth = max(before[layer] - leg.sense * depthAt(viewPlace, layer), vec4(0.0));
       vec4 weight = distance * exp(-depth);
-      vec4 joint = vec4(0.0);
 #ifdef AIR_SINGLE
-      vec4 sun = weight * above * exp(-depthAt(toSun, layer));
+      vec4 sun = weight * above * exp(-depthAt(sunPlace, layer));
 #ifdef AIR_ECLIPSED
       sun *= visibleSunlight(where, layer);
 #endif
-      for (int c = 0; c < AIR_CONSTITUENTS; ++c) {
-        int k = layer * AIR_CONSTITUENTS + c;
-        vec4 scattered = airScattering[k] * d.of[c];
+      vec4 once = vec4(0.0);
+#endif
+#ifdef AIR_SOURCE
+      SourceParts parts;
+      if (!sparse)
+        parts = sourcePartsAt(sourcePlace, p, leg.sense, ray.sunAlong, where, ray.direction, layer);
+      vec4 more = vec4(0.0);
+#endif
+      for (int c = AIR_DARK; c < AIR_CONSTITUENTS; ++c) {
+        int i = layer * AIR_CONSTITUENTS + c;
+#ifdef AIR_SINGLE
+        vec4 scattered = airScattering[i] * d.of[c];
 #ifdef AIR_SEPARATE
         if (c >= AIR_SMOOTH)
           light.peaked[layer * AIR_PEAKED + c - AIR_SMOOTH] += sun * scattered;
         else
 #endif
-          joint += scattered * phases[k];
-      }
-      joint *= sun;
+          once += scattered * phases[i];
 #endif
 #ifdef AIR_SOURCE
-      SourceParts parts;
-      if (sparse) {
-        float share = min(sqrt(p.height) * highRoot, kSparseReach);
-        parts.even = max(mix(low[layer].even, high[layer].even, share), vec4(0.0));
-        parts.first = mix(low[layer].first, high[layer].first, share);
-        parts.second = mix(low[layer].second, high[layer].second, share);
-      } else {
-        parts = sourcePartsAt(p, leg.sense, ray.sunAlong, where, ray.direction, layer);
-      }
-      joint += weight * scatteredSource(d, parts, layer);
+        more += d.of[c] * (sparse ? low[i] + share * rise[i] : sourceOf(parts, i));
 #endif
-      light.joint[layer] += joint;
+      }
+#ifdef AIR_SINGLE
+      light.joint[layer] += sun * once;
+#endif
+#ifdef AIR_SOURCE
+      light.joint[layer] += weight * max(more, vec4(0.0));
+#endif
     }
-  } while (++i < nodeCount.x);
+  } while (++n < nodeCount.x);
 }
 
 // Distances along a ray at which to begin a new set of samples; negative: none.
@@ -266,35 +304,37 @@ AirCuts noCuts() {
 }
 
 // The light of the whole way.
-AirLight lightAlong(AirRay ray, AirWay way, AirCuts cuts) {
+AirLight lightAlong(AirRay ray, AirWay way, WayEnds ends, AirCuts cuts) {
   AirShell shell = airShell();
   AirLight light = darkAir();
   vec4 phases[AIR_LAYERS * AIR_CONSTITUENTS];
 #ifdef AIR_SINGLE
   for (int layer = 0; layer < AIR_LAYERS; ++layer)
-    for (int c = 0; c < AIR_CONSTITUENTS; ++c)
+    for (int c = AIR_DARK; c < AIR_CONSTITUENTS; ++c)
       phases[layer * AIR_CONSTITUENTS + c] = phaseOf(c, layer, ray.sunAlong);
 #endif
-  float r = shell.radius + ray.height;
-  vec2 startPlace = depthPlace(ray.height, abs(ray.rise) / r);
 #ifdef BODY_GROUND
   {
+#ifdef BODY_SUNLIT
+    const bool sparse = true;
+#else
+    const bool sparse = false;
+#endif
     vec4 before[AIR_LAYERS];
-    for (int layer = 0; layer < AIR_LAYERS; ++layer) before[layer] = -depthAt(startPlace, layer);
-    marchLeg(ray, way.legs[0], 0.0, 1.0, true, before, phases, light);
+    for (int layer = 0; layer < AIR_LAYERS; ++layer) before[layer] = -depthAt(ends.start, layer);
+    marchLeg(ray, way.legs[0], 0.0, 1.0, sparse, before, phases, light);
     return light;
   }
 #else
-  vec2 lowPlace = depthPlace(way.legs[0].lowHeight, 0.0);
   int n = 0;
   do {
     AirLeg leg = way.legs[0];
     if (n == 1) leg = way.legs[1];
     vec4 before[AIR_LAYERS];
     for (int layer = 0; layer < AIR_LAYERS; ++layer) {
-      vec4 start = depthAt(startPlace, layer);
+      vec4 start = depthAt(ends.start, layer);
       if (way.legCount == 2 && n == 1)
-        before[layer] = 2.0 * depthAt(lowPlace, layer) - start;
+        before[layer] = 2.0 * depthAt(ends.low, layer) - start;
       else
         before[layer] = leg.sense * start;
     }

@@ -5,7 +5,7 @@
 //   AIR               the body has air (otherwise only the colours of interface/air.glsl are used)
 //   AIR_SKY           the camera is low in the air: its sky lies in a table
 //   SHADOW_PAIRS n    casters whose shadow may be seen
-//   BODY_GROUND: every ray meets sunlit ground; BODY_SKY: none meets any
+//   BODY_SUNLIT, BODY_DUSK, BODY_NIGHT, BODY_SKY: all rays show that (src/passes/body_tiles.h)
 //   SURFACE_MAP, WATER_MASK, NIGHT_MAP, SURFACE_LUNAR, ILLUSTRATIVE
 // Mirrors `BodyBlock` in src/passes/bodies.cpp.
 #ifndef INTERFACE_BODY_GLSL
@@ -20,6 +20,12 @@
 #include "interface/air_sky.glsl"
 #endif
 #include "shared/surface.glsl"
+#if defined(BODY_SUNLIT) || defined(BODY_DUSK) || defined(BODY_NIGHT)
+#define BODY_GROUND
+#endif
+#if defined(NIGHT_MAP) && !defined(BODY_SUNLIT)
+#define SURFACE_EMITS
+#endif
 
 layout(std140, binding = 2) uniform Body {
   vec4 scaledFromCamera[3];    // columns
@@ -115,17 +121,20 @@ struct SurfaceLight {
 SurfaceLight surfaceLight(vec3 normal, vec3 direction, float footprint) {
   SurfaceLight surface;
   surface.emitted = vec3(0.0);
-  vec3 position = normal * bodyShape.x;
-  vec3 albedo = bodyAlbedo.xyz;
+  float sunCosine = dot(normal, bodySun.xyz);
 #if defined(SURFACE_MAP) || defined(WATER_MASK) || defined(NIGHT_MAP)
   vec2 place = mapPlace(normal);
   float texels = footprint * bodyMapFactor.w / (2.0 * kPi * bodyShape.x);
   float lod = max(log2(max(texels, 1e-6)), 0.0);
 #endif
+#ifdef BODY_NIGHT
+  for (int layer = 0; layer < AIR_LAYERS; ++layer) surface.reflected[layer] = vec4(0.0);
+#else
+  vec3 position = normal * bodyShape.x;
+  vec3 albedo = bodyAlbedo.xyz;
 #ifdef SURFACE_MAP
   albedo = textureLod(surfaceMap, place, lod).rgb * bodyMapFactor.rgb;
 #endif
-  float sunCosine = dot(normal, bodySun.xyz);
   float viewCosine = max(-dot(normal, direction), 1e-3);
   vec4 direct[AIR_LAYERS];
   for (int layer = 0; layer < AIR_LAYERS; ++layer) {
@@ -141,8 +150,7 @@ SurfaceLight surfaceLight(vec3 normal, vec3 direction, float footprint) {
   // A disc half below the horizon lights the ground a little.
   float lit = sunOnHorizontal(sunCosine, bodyTrueSun.w);
 #ifdef AIR
-  vec2 sourcePlace_ = onTexels(sourceCoordinates(airShell(), airShape.z, 0.0, sunCosine),
-                               textureSize(airSource, 0).xy);
+  vec2 sourcePlace_ = sourcePlaceOf(0.0, sunCosine);
 #endif
 #ifdef ECLIPSED_SOURCE
   EclipsedPlace eclipsed = eclipsedPlace(position, 0.0);
@@ -171,7 +179,8 @@ SurfaceLight surfaceLight(vec3 normal, vec3 direction, float footprint) {
 #endif
     surface.reflected[layer] = (spectral * light + glint * direct[layer]) / kPi;
   }
-#ifdef NIGHT_MAP
+#endif
+#ifdef SURFACE_EMITS
   if (sunCosine < 0.05)
     surface.emitted = textureLod(nightMap, place, lod).rgb * bodyNight.x *
                       smoothstep(0.05, -0.1, sunCosine);
@@ -217,6 +226,13 @@ vec4 illustration(vec3 position, float footprint) {
 }
 #endif
 
+// What a white light keeps of its colour behind a transmittance.
+vec3 colourShare(vec4 through[AIR_LAYERS]) {
+  vec4 one[AIR_LAYERS];
+  for (int layer = 0; layer < AIR_LAYERS; ++layer) one[layer] = vec4(1.0);
+  return clamp(colourOf(through) / colourOf(one), 0.0, 1.0);
+}
+
 // What the camera receives along a ray from the body and its air.
 BodyLight bodyLight(vec3 cameraRay) {
   BodyLight result;
@@ -259,6 +275,7 @@ BodyLight bodyLight(vec3 cameraRay) {
     air.sunRise = bodyUp.w * dot(bodyUp.xyz, bodySun.xyz);
   }
   AirWay way = wayOf(air);
+  WayEnds ends = endsOf(air, way);
 #else
   if (cover <= 0.0) return result;
 #endif
@@ -267,7 +284,7 @@ BodyLight bodyLight(vec3 cameraRay) {
   vec3 emitted = vec3(0.0);
   vec4 through[AIR_LAYERS];
 #ifdef AIR
-  for (int layer = 0; layer < AIR_LAYERS; ++layer) through[layer] = exp(-depthOfWay(air, way, layer));
+  for (int layer = 0; layer < AIR_LAYERS; ++layer) through[layer] = exp(-depthOfWay(ends, layer));
 #else
   for (int layer = 0; layer < AIR_LAYERS; ++layer) through[layer] = vec4(1.0);
 #endif
@@ -294,22 +311,19 @@ BodyLight bodyLight(vec3 cameraRay) {
       surface.reflected[layer] = mix(surface.reflected[layer], flat_, mark.a);
     }
 #endif
-    vec4 share[AIR_LAYERS];
-    for (int layer = 0; layer < AIR_LAYERS; ++layer) {
+    for (int layer = 0; layer < AIR_LAYERS; ++layer)
       light[layer] = surface.reflected[layer] * through[layer] * cover;
-      share[layer] = through[layer];
-    }
-    vec4 one[AIR_LAYERS];
-    for (int layer = 0; layer < AIR_LAYERS; ++layer) one[layer] = vec4(1.0);
-    emitted = surface.emitted * cover * clamp(colourOf(share) / colourOf(one), 0.0, 1.0);
+#ifdef SURFACE_EMITS
+    emitted = surface.emitted * cover * colourShare(through);
+#endif
   }
-#ifdef AIR
+#if defined(AIR) && !defined(BODY_NIGHT)
 #ifdef AIR_SKY
   vec2 place = skyPlace(ray.direction, way.hitsGround);
   for (int layer = 0; layer < AIR_LAYERS; ++layer)
     light[layer] += skyLight(place, layer, air.sunAlong);
 #else
-  AirLight scattered = lightAlong(air, way, noCuts());
+  AirLight scattered = lightAlong(air, way, ends, noCuts());
   for (int layer = 0; layer < AIR_LAYERS; ++layer) light[layer] += scattered.joint[layer];
 #endif
 #endif
@@ -318,9 +332,7 @@ BodyLight bodyLight(vec3 cameraRay) {
   if (hits) {
     result.transmittance = vec3(0.0);
   } else {
-    vec4 one[AIR_LAYERS];
-    for (int layer = 0; layer < AIR_LAYERS; ++layer) one[layer] = vec4(1.0);
-    result.transmittance = clamp(colourOf(through) / colourOf(one), 0.0, 1.0);
+    result.transmittance = colourShare(through);
   }
   result.transmittance *= 1.0 - cover;
 #else

@@ -26,13 +26,14 @@ void main() {
   ray.start = probe.start.xyz;
   ray.direction = probe.direction.xyz;
   AirWay way = wayOf(ray);
+  WayEnds ends = endsOf(ray, way);
 #ifdef AIR_SKY
   vec2 place = skyPlace(ray.direction, way.hitsGround);
 #else
-  AirLight light = lightAlong(ray, way, shadowCuts(ray));
+  AirLight light = lightAlong(ray, way, ends, shadowCuts(ray));
 #endif
   float sunCosine = clamp(way.legs[0].lowSunRise / airShape.x, -1.0, 1.0);
-  vec2 ground = onTexels(sourceCoordinates(airShell(), airShape.z, 0.0, sunCosine), textureSize(airSource, 0).xy);
+  vec2 ground = sourcePlaceOf(0.0, sunCosine);
   for (int layer = 0; layer < AIR_LAYERS; ++layer) {
 #ifdef AIR_SKY
     vec4 sum = skyLight(place, layer, ray.sunAlong);
@@ -47,7 +48,7 @@ void main() {
       direct *= visibleSunlight(where, layer);
       diffuse *= eclipsedShare(eclipsedPlace(where, 0.0), 1, layer);
 #endif
-      sum += (direct + diffuse) * airGroundAlbedo[layer] / kPi * exp(-depthOfWay(ray, way, layer));
+      sum += (direct + diffuse) * airGroundAlbedo[layer] / kPi * exp(-depthOfWay(ends, layer));
     }
     radiances[index * AIR_LAYERS + layer] = sum;
   }

@@ -27,7 +27,8 @@ void main() {
   ray.direction = skyUp.xyz * z + (skySunward.xyz * cos(angles.y) + skySide.xyz * sin(angles.y)) * level;
   AirWay way = wayOf(ray);
   if (down) way.hitsGround = true;
-  AirLight light = lightAlong(ray, way, shadowCuts(ray));
+  WayEnds ends = endsOf(ray, way);
+  AirLight light = lightAlong(ray, way, ends, shadowCuts(ray));
   for (int layer = 0; layer < AIR_LAYERS; ++layer) {
     imageStore(joint, ivec3(texel, layer), light.joint[layer]);
     for (int c = 0; c < AIR_PEAKED; ++c)

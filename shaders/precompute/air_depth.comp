@@ -6,11 +6,12 @@ layout(rgba32f, binding = 0) writeonly uniform image2DArray depths;
 vec4 depthOfLeg(AirLeg leg, int layer) {
   AirShell shell = airShell();
   float span = leg.highHeight - leg.lowHeight;
+  vec2 texels = densityTexels();
   vec4 sum = vec4(0.0);
   for (int i = 0; i < nodeCount.x; ++i) {
     float u = nodes[i].x;
     AirPoint p = pointOnLeg(shell, leg, 0.0, leg.lowHeight + span * u * u * u);
-    AirDensities d = densitiesAt(p.height);
+    AirDensities d = densitiesAt(rootHeight(shell, p.height) * texels.x + texels.y);
     vec4 extinction = vec4(0.0);
     for (int c = 0; c < AIR_CONSTITUENTS; ++c)
       extinction += airExtinction[layer * AIR_CONSTITUENTS + c] * d.of[c];

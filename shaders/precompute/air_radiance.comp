@@ -28,9 +28,10 @@ void main() {
   ray.start = vec3(0.0, 0.0, r);
   ray.direction = vec3(look.sine, 0.0, look.cosine);
   AirWay way = wayOf(ray);
-  AirLight light = lightAlong(ray, way, noCuts());
+  WayEnds ends = endsOf(ray, way);
+  AirLight light = lightAlong(ray, way, ends, noCuts());
   float sunCosine = clamp(way.legs[0].lowSunRise / shell.radius, -1.0, 1.0);
-  vec2 ground = onTexels(sourceCoordinates(shell, airShape.z, 0.0, sunCosine), textureSize(airSource, 0).xy);
+  vec2 ground = sourcePlaceOf(0.0, sunCosine);
   for (int layer = 0; layer < AIR_LAYERS; ++layer) {
     vec4 sum = light.joint[layer];
     if (way.hitsGround) {
@@ -39,7 +40,7 @@ void main() {
 #else
       vec4 irradiance = textureLod(airSource, vec3(ground, float(layer * 7 + 6)), 0.0);
 #endif
-      sum += irradiance * airGroundAlbedo[layer] / kPi * exp(-depthOfWay(ray, way, layer));
+      sum += irradiance * airGroundAlbedo[layer] / kPi * exp(-depthOfWay(ends, layer));
     }
     imageStore(radiances, ivec3(texel.xy, layer * directionCount.x * directionCount.y + texel.z), sum);
   }

@@ -25,11 +25,12 @@ void main() {
   ray.groundRoot = ray.rise * ray.rise - squareAboveGround(shell, cell.height);
   if (look.down) ray.groundRoot = max(ray.groundRoot, 1e-3); else ray.groundRoot = min(ray.groundRoot, 0.0);
   AirWay way = wayOf(ray);
+  WayEnds ends = endsOf(ray, way);
   AirCuts cuts = shadowCuts(ray);
   cuts.at[0] = cuts.at[1] = -1.0;
-  AirLight light = lightAlong(ray, way, cuts);
+  AirLight light = lightAlong(ray, way, ends, cuts);
   float sunCosine = clamp(way.legs[0].lowSunRise / shell.radius, -1.0, 1.0);
-  vec2 ground = onTexels(sourceCoordinates(shell, airShape.z, 0.0, sunCosine), textureSize(airSource, 0).xy);
+  vec2 ground = sourcePlaceOf(0.0, sunCosine);
   vec3 where = ray.start + ray.direction * way.length;
   for (int layer = 0; layer < AIR_LAYERS; ++layer) {
     vec4 sum = light.joint[layer];
@@ -49,7 +50,7 @@ void main() {
 #endif
           ;
 #endif
-      sum += irradiance * airGroundAlbedo[layer] / kPi * exp(-depthOfWay(ray, way, layer));
+      sum += irradiance * airGroundAlbedo[layer] / kPi * exp(-depthOfWay(ends, layer));
     }
     imageStore(radiances, ivec3(texel.xy, layer * directionCount.x * directionCount.y + texel.z), sum);
   }

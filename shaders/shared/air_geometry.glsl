@@ -15,6 +15,9 @@
 struct AirShell {
   Length radius;  // of the ground
   Length top;     // height of the boundary to empty space
+  Length widest;  // from a point of the ground along its horizon to the top
+  InverseLength overWidest;
+  InverseLength overTop;
 };
 
 // Part of a ray along which it rises, seen from its low end.
@@ -30,7 +33,9 @@ struct AirLeg {
 struct AirPoint {
   Length height;
   Length rise;      // r mu, upward along the leg
+  Length sunRise;   // r times the cosine of the Sun's zenith angle
   Length fromLow;   // distance from the leg's low end
+  InverseLength overRadius;  // 1 / r
   Number cosine;    // mu upward along the leg
   Number sunCosine; // of the Sun's zenith angle
 };
@@ -45,23 +50,28 @@ Area squareBetween(AirShell shell, Length low, Length high) {
   return (high - low) * (2.0 * shell.radius + high + low);
 }
 
+// Distance along a ray that rises with `rise` to a sphere whose squared radius is larger by `gain`;
+// `root` is the rise there.
+Length distanceBetweenRises(Length rise, Length root, Area gain) {
+  return rise > 0.0 ? gain / (root + rise) : root - rise;
+}
+
 // Distance from a point that rises with `rise` to the sphere at `high`.
 Length distanceUpTo(AirShell shell, Length height, Length rise, Length high) {
   Area gain = squareBetween(shell, height, high);
-  Length root = sqrt(max(rise * rise + gain, 0.0));
-  return rise > 0.0 ? gain / (root + rise) : root - rise;
+  return distanceBetweenRises(rise, sqrt(max(rise * rise + gain, 0.0)), gain);
 }
 
 AirPoint pointOnLeg(AirShell shell, AirLeg leg, Number sunAlong, Length height) {
   AirPoint point;
   Area gain = squareBetween(shell, leg.lowHeight, height);
-  Length r = shell.radius + height;
   point.height = height;
+  point.overRadius = 1.0 / (shell.radius + height);
   point.rise = sqrt(leg.lowRise * leg.lowRise + gain);
   point.fromLow = gain / max(leg.lowRise + point.rise, 1.0e-9);
-  point.cosine = min(point.rise / r, 1.0);
-  point.sunCosine =
-      clamp((leg.lowSunRise + leg.sense * point.fromLow * sunAlong) / r, -1.0, 1.0);
+  point.cosine = min(point.rise * point.overRadius, 1.0);
+  point.sunRise = leg.lowSunRise + leg.sense * point.fromLow * sunAlong;
+  point.sunCosine = clamp(point.sunRise * point.overRadius, -1.0, 1.0);
   return point;
 }
 
@@ -77,18 +87,42 @@ Number horizonCosine(AirShell shell, Length height) {
   return -sqrt(max(squareAboveGround(shell, height), 0.0)) / (shell.radius + height);
 }
 
-// Where in [0, 1]^2 the optical depth to the top lies: x over the zenith angle from the zenith to the
-// horizon, y over height.
+// The table of optical depths to the top at one height.
+struct DepthRow {
+  Length across;        // distance to the ground's horizon
+  Length least;         // to the top, straight up
+  Area gain;            // from the squared radius there to that of the top
+  InverseLength scale;  // over the longest distance to the top, less the least
+};
+
+// `height` from 0 to the top.
+DepthRow depthRow(AirShell shell, Length height) {
+  DepthRow row;
+  row.across = sqrt(squareAboveGround(shell, height));
+  row.least = shell.top - height;
+  row.gain = squareBetween(shell, height, shell.top);
+  row.scale = 1.0 / max(row.across + shell.widest - row.least, 1.0e-6 * shell.top);
+  return row;
+}
+
+// Where in [0, 1]^2 the optical depth along a ray lies whose distance to the top is known: x over the
+// zenith angle from the zenith to the horizon, y over height.
+TableCoordinates depthCoordinatesAt(AirShell shell, DepthRow row, Length distance) {
+  TableCoordinates place;
+  place.x = clamp((distance - row.least) * row.scale, 0.0, 1.0);
+  place.y = row.across * shell.overWidest;
+  return place;
+}
+
+// The same for a ray that rises with `rise`.
+TableCoordinates depthCoordinatesOf(AirShell shell, DepthRow row, Length rise) {
+  Length root = sqrt(max(rise * rise + row.gain, 0.0));
+  return depthCoordinatesAt(shell, row, distanceBetweenRises(rise, root, row.gain));
+}
+
 TableCoordinates depthCoordinates(AirShell shell, Length height, Number cosine) {
   Length h = clamp(height, 0.0, shell.top);
-  Length across = sqrt(squareAboveGround(shell, h));
-  Length widest = sqrt(squareAboveGround(shell, shell.top));
-  Length distance = distanceUpTo(shell, h, (shell.radius + h) * cosine, shell.top);
-  Length least = shell.top - h;
-  TableCoordinates place;
-  place.x = clamp((distance - least) / max(across + widest - least, 1.0e-6 * shell.top), 0.0, 1.0);
-  place.y = across / widest;
-  return place;
+  return depthCoordinatesOf(shell, depthRow(shell, h), (shell.radius + h) * cosine);
 }
 
 struct HeightAndCosine {
@@ -97,13 +131,12 @@ struct HeightAndCosine {
 };
 
 HeightAndCosine heightAndCosineAt(AirShell shell, TableCoordinates place) {
-  Length widest = sqrt(squareAboveGround(shell, shell.top));
-  Length across = place.y * widest;
+  Length across = place.y * shell.widest;
   HeightAndCosine found;
   found.height =
       across * across / (shell.radius + sqrt(shell.radius * shell.radius + across * across));
   Length least = shell.top - found.height;
-  Length distance = least + place.x * (across + widest - least);
+  Length distance = least + place.x * (across + shell.widest - least);
   Length r = shell.radius + found.height;
   found.cosine =
       distance > 0.0
@@ -113,20 +146,35 @@ HeightAndCosine heightAndCosineAt(AirShell shell, TableCoordinates place) {
   return found;
 }
 
-// The Sun's zenith angle and height in the source table. `lowest` is the least cosine it holds.
-TableCoordinates sourceCoordinates(AirShell shell, Number lowest, Length height, Number sunCosine) {
+// Height as densities and the source table have it, from 0 to 1: dense toward the ground.
+Number rootHeight(AirShell shell, Length height) {
+  return sqrt(clamp(height * shell.overTop, 0.0, 1.0));
+}
+
+// The source table's span of the Sun's zenith angle.
+struct SunSpan {
+  Number lowest;      // least cosine
+  Number overLowest;  // 1 over it
+  Number zero;        // where the horizontal Sun lies in [0, 1]
+};
+
+SunSpan sunSpan(Number lowest) {
   Number below = sqrt(-lowest);
-  Number zero = below / (1.0 + below);
-  TableCoordinates place;
-  place.x = sunCosine > 0.0 ? zero + (1.0 - zero) * sqrt(min(sunCosine, 1.0))
-                            : zero * (1.0 - sqrt(min(sunCosine / lowest, 1.0)));
-  place.y = sqrt(clamp(height / shell.top, 0.0, 1.0));
-  return place;
+  SunSpan span;
+  span.lowest = lowest;
+  span.overLowest = 1.0 / lowest;
+  span.zero = below / (1.0 + below);
+  return span;
+}
+
+// The Sun's zenith angle in the source table.
+Number sourceColumn(SunSpan span, Number sunCosine) {
+  Number root = sqrt(min(sunCosine > 0.0 ? sunCosine : sunCosine * span.overLowest, 1.0));
+  return sunCosine > 0.0 ? span.zero + (1.0 - span.zero) * root : span.zero * (1.0 - root);
 }
 
 HeightAndCosine sourcePlace(AirShell shell, Number lowest, TableCoordinates place) {
-  Number below = sqrt(-lowest);
-  Number zero = below / (1.0 + below);
+  Number zero = sunSpan(lowest).zero;
   Number side = place.x > zero ? (place.x - zero) / (1.0 - zero) : (zero - place.x) / zero;
   HeightAndCosine found;
   found.cosine = place.x > zero ? side * side : lowest * side * side;

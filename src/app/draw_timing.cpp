@@ -1,7 +1,7 @@
 #include "app/draw_timing.h"
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <vector>
 
 #include "gl/framebuffer.h"
@@ -9,24 +9,32 @@
 #include "gl/texture.h"
 
 namespace antumbra {
+namespace {
 
-double medianSeconds(const std::function<void()>& draw, int repeats) {
+double secondsOn(DrawClock clock) {
+  timespec now;
+  clock_gettime(clock == DrawClock::Wall ? CLOCK_MONOTONIC : CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+double medianSeconds(const std::function<void()>& draw, int repeats, DrawClock clock) {
   draw();
   glFinish();
   std::vector<double> seconds;
   for (int i = 0; i < std::max(repeats, 7); ++i) {
-    auto const start = std::chrono::steady_clock::now();
+    double const start = secondsOn(clock);
     draw();
     glFinish();
-    seconds.push_back(
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    seconds.push_back(secondsOn(clock) - start);
   }
   auto const middle = seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2);
   std::nth_element(seconds.begin(), middle, seconds.end());
   return *middle;
 }
 
-double fillUnitSeconds(int width, int height) {
+double fillUnitSeconds(int width, int height, DrawClock clock) {
   constexpr int kWidth = 256, kHeight = 128;
   auto table =
       gl::Texture::plane(GL_RGBA16F, kWidth, kHeight, gl::Filter::Linear, gl::Wrap::Repeat);
@@ -41,12 +49,14 @@ double fillUnitSeconds(int width, int height) {
   auto const program = gl::Program::fullScreen("bench/fill_unit.frag");
   glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);
-  return medianSeconds([&] {
-    framebuffer.bind();
-    table.bind(0);
-    program.use();
-    gl::drawFullScreen();
-  });
+  return medianSeconds(
+      [&] {
+        framebuffer.bind();
+        table.bind(0);
+        program.use();
+        gl::drawFullScreen();
+      },
+      7, clock);
 }
 
 }  // namespace antumbra

@@ -12,10 +12,15 @@
 
 namespace antumbra {
 
+// Wall: what a viewer waits for. Processor: the time that all threads of this program computed,
+// which on a software renderer is the work itself, whatever else the machine does.
+enum class DrawClock { Wall, Processor };
+
 // Median seconds of `draw` over `repeats` (at least 7), after one run to warm up.
-double medianSeconds(const std::function<void()>& draw, int repeats = 7);
+double medianSeconds(const std::function<void()>& draw, int repeats = 7,
+                     DrawClock clock = DrawClock::Wall);
 
 // Seconds of one fill unit at this size.
-double fillUnitSeconds(int width, int height);
+double fillUnitSeconds(int width, int height, DrawClock clock = DrawClock::Wall);
 
 }  // namespace antumbra

@@ -33,18 +33,25 @@ double legendreMoment(const PhaseFunction& phase, Length wavelength, int degree)
   return sum / norm;
 }
 
+bool scatters(const Constituent& c) {
+  return !c.scattering.isConstant() || c.scattering.at(550.0 * nanometre) > 0.0;
+}
+
 bool isSmooth(const Constituent& c) {
-  bool const scatters = !c.scattering.isConstant() || c.scattering.at(550.0 * nanometre) > 0.0;
-  return !scatters || c.phase.kind() == PhaseFunction::Kind::kIsotropic ||
+  return !scatters(c) || c.phase.kind() == PhaseFunction::Kind::kIsotropic ||
          c.phase.kind() == PhaseFunction::Kind::kRayleigh;
 }
 
-// Smooth constituents first, in the order of the file otherwise.
+// Constituents that only absorb first, then smooth ones, in the order of the file otherwise.
 std::vector<std::size_t> tableOrder(const Medium& medium) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < medium.constituents.size(); ++i) order.push_back(i);
-  std::stable_partition(order.begin(), order.end(),
-                        [&](std::size_t i) { return isSmooth(medium.constituents[i]); });
+  auto const rank = [&](std::size_t i) {
+    auto const& c = medium.constituents[i];
+    return !scatters(c) ? 0 : isSmooth(c) ? 1 : 2;
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
   return order;
 }
 
@@ -99,6 +106,8 @@ std::vector<glm::vec4> airBlockOf(const Medium* medium, const std::vector<Length
   std::vector<glm::vec4> block;
   double const top = medium ? medium->topHeight.si : 1.0;
   block.emplace_back(groundRadius.si, top, lowestSunCosine, sunRadius.si);
+  double const widest = std::sqrt(top * (2.0 * groundRadius.si + top));
+  block.emplace_back(widest, 1.0 / widest, 1.0 / top, 0.0);
   auto const add = [&](auto&& value) {
     for (std::size_t layer = 0; layer < layers; ++layer) {
       glm::vec4 four;
@@ -154,14 +163,18 @@ AirTables::AirTables(const Medium& medium, Length groundRadius,
   constituents_ = static_cast<int>(order.size());
   peaked_ = static_cast<int>(std::count_if(medium.constituents.begin(), medium.constituents.end(),
                                            [](const Constituent& c) { return !isSmooth(c); }));
+  auto const dark = std::count_if(medium.constituents.begin(), medium.constituents.end(),
+                                  [](const Constituent& c) { return !scatters(c); });
   definitions_ = {{"AIR", ""},
                   {"AIR_LAYERS", std::to_string(layers_)},
                   {"AIR_CONSTITUENTS", std::to_string(constituents_)},
-                  {"AIR_SMOOTH", std::to_string(constituents_ - peaked_)}};
+                  {"AIR_SMOOTH", std::to_string(constituents_ - peaked_)},
+                  {"AIR_DARK", std::to_string(dark)}};
   // Twice the angle by which the top sees the Sun below the ground's horizon, and 5 degrees.
   double const dip = std::acos(groundRadius / (groundRadius + top_));
-  double const lowest = -std::sin(std::min(2.0 * dip + 5.0 * degree.si, 0.5 * std::numbers::pi));
-  auto const block = airBlockOf(&medium, wavelengths_, groundRadius, lowest, sunRadius, order);
+  lowestSunCosine_ = -std::sin(std::min(2.0 * dip + 5.0 * degree.si, 0.5 * std::numbers::pi));
+  auto const block =
+      airBlockOf(&medium, wavelengths_, groundRadius, lowestSunCosine_, sunRadius, order);
   block_.write(std::span<const glm::vec4>(block));
   buildDensities(medium, order);
   buildPhases(medium, order);

@@ -41,6 +41,8 @@ class AirTables {
   int peakedCount() const { return peaked_; }
   Length groundRadius() const { return groundRadius_; }
   Length top() const { return top_; }
+  // Of the source table: no light comes from air whose Sun is lower.
+  double lowestSunCosine() const { return lowestSunCosine_; }
   const std::vector<Length>& wavelengths() const { return wavelengths_; }
   const AirQuality& quality() const { return quality_; }
   std::size_t bytes() const;
@@ -56,6 +58,7 @@ class AirTables {
 
   AirQuality quality_;
   Length groundRadius_, top_;
+  double lowestSunCosine_ = -1.0;
   std::vector<Length> wavelengths_;
   int layers_ = 1;
   int constituents_ = 0;

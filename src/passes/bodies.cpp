@@ -63,9 +63,9 @@ struct Resident {
   std::unique_ptr<AirSky> sky;
   bool skyShown = false;
   gl::Buffer block;
-  std::array<std::string, 3> programs;  // by BodyPart
+  std::array<std::string, kBodyParts> programs;  // by BodyPart
   BodyTiles tiles;
-  std::array<gl::Buffer, 3> corners;
+  std::array<gl::Buffer, kBodyParts> corners;
   glm::dvec3 up{0.0, 0.0, 1.0}, sun{1.0, 0.0, 0.0};
 };
 
@@ -245,6 +245,7 @@ void BodiesPass::prepare(const PlannedBody& body, const Projection& picture, con
     definitions.emplace_back("AIR_LAYERS", std::to_string(s.wavelengths.size() / 4));
     definitions.emplace_back("AIR_CONSTITUENTS", "1");
     definitions.emplace_back("AIR_SMOOTH", "1");
+    definitions.emplace_back("AIR_DARK", "1");
   }
   resident.skyShown = air && AirSky::serves(*air, body.cameraHeight);
   if (resident.skyShown) {
@@ -296,9 +297,10 @@ void BodiesPass::prepare(const PlannedBody& body, const Projection& picture, con
   resident.block.write(block);
 
   resident.tiles = bodyTiles(picture, body.bounds, scaledFromCamera, resident.up, resident.sun,
-                             radius, above, top);
-  constexpr std::array<const char*, 3> flags{"BODY_GROUND", "BODY_SKY", ""};
-  for (std::size_t part = 0; part < 3; ++part) {
+                             radius, above, top, air ? air->lowestSunCosine() : -1.0);
+  constexpr std::array<const char*, kBodyParts> flags{"BODY_SUNLIT", "BODY_DUSK", "BODY_NIGHT",
+                                                      "BODY_SKY", ""};
+  for (std::size_t part = 0; part < kBodyParts; ++part) {
     auto const& tiles = resident.tiles[part];
     if (tiles.empty()) continue;
     resident.corners[part].write(std::span<const glm::vec2>(tiles));
@@ -349,10 +351,10 @@ void BodiesPass::draw(const PlannedBody& body, const Projection& picture, glm::i
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_SRC1_COLOR);
   glBindVertexArray(s.vertexArray());
-  for (std::size_t part = 0; part < 3; ++part) {
+  for (std::size_t part = 0; part < kBodyParts; ++part) {
     auto const count = static_cast<GLsizei>(resident.tiles[part].size());
     if (!count) continue;
-    (part == 0 ? s.groundNodes : s.viewNodes).bind();
+    (part == std::size_t(BodyPart::Sunlit) ? s.groundNodes : s.viewNodes).bind();
     glVertexArrayVertexBuffer(s.vertexArray(), 0, resident.corners[part].id(), 0,
                               sizeof(glm::vec2));
     s.programs.at(resident.programs[part])

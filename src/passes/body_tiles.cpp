@@ -9,7 +9,10 @@ namespace antumbra {
 namespace {
 
 // Tiles across the longer side of the picture, and their least size in pixels.
-constexpr int kTilesAcross = 80, kLeastPixels = 8;
+constexpr int kTilesAcross = 100, kLeastPixels = 8;
+// Rectangles of at least so many tiles are sought out first: a software renderer shades the blocks
+// of pixels along a diagonal twice, which costs a row of tiles a quarter of its price.
+constexpr int kLargeRectangle = 12;
 // Widens a tile's cone for edges that bulge beyond its corners (fisheye, poles of a map).
 constexpr double kBulge = 1.15;
 
@@ -29,11 +32,68 @@ void addRectangle(std::vector<glm::vec2>& to, int x0, int y0, int x1, int y1) {
     to.emplace_back(static_cast<float>(x), static_cast<float>(y));
 }
 
+// Parts of tiles, row by row; -1: nothing.
+struct TileGrid {
+  int columns = 0, rows = 0;
+  std::vector<int> parts;
+  int& at(int column, int row) { return parts[static_cast<std::size_t>(row * columns + column)]; }
+};
+struct TileRectangle {
+  int part, x0, y0, x1, y1;
+  int area() const { return (x1 - x0) * (y1 - y0); }
+};
+
+// The largest rectangle of tiles of one part, by the heights of its columns above each row.
+TileRectangle largestRectangle(TileGrid& grid, int part) {
+  TileRectangle best{part, 0, 0, 0, 0};
+  std::vector<int> heights(static_cast<std::size_t>(grid.columns) + 1, 0);
+  std::vector<int> open;
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      int& height = heights[static_cast<std::size_t>(column)];
+      height = grid.at(column, row) == part ? height + 1 : 0;
+    }
+    auto const heightAt = [&](int column) { return heights[static_cast<std::size_t>(column)]; };
+    open.clear();
+    for (int column = 0; column <= grid.columns; ++column) {
+      while (!open.empty() && heightAt(open.back()) >= heightAt(column)) {
+        int const height = heightAt(open.back());
+        open.pop_back();
+        TileRectangle const found{part, open.empty() ? 0 : open.back() + 1, row + 1 - height,
+                                  column, row + 1};
+        if (found.area() > best.area()) best = found;
+      }
+      open.push_back(column);
+    }
+  }
+  return best;
+}
+
+// Rectangles that together hold every tile once: large ones first, then what is left row by row.
+std::vector<TileRectangle> rectanglesOf(TileGrid grid) {
+  std::vector<TileRectangle> list;
+  for (int part = 0; part < static_cast<int>(kBodyParts); ++part)
+    for (;;) {
+      TileRectangle const r = largestRectangle(grid, part);
+      if (r.area() < kLargeRectangle || r.y1 - r.y0 < 2) break;
+      for (int y = r.y0; y < r.y1; ++y)
+        for (int x = r.x0; x < r.x1; ++x) grid.at(x, y) = -1;
+      list.push_back(r);
+    }
+  for (int y = 0; y < grid.rows; ++y)
+    for (int x = 0; x < grid.columns;) {
+      int const part = grid.at(x, y), from = x;
+      while (x < grid.columns && grid.at(x, y) == part) ++x;
+      if (part >= 0) list.push_back({part, from, y, x, y + 1});
+    }
+  return list;
+}
+
 }  // namespace
 
 BodyTiles bodyTiles(const Projection& picture, const PixelBounds& bounds,
                     const glm::dmat3& scaledFromCamera, const glm::dvec3& up, const glm::dvec3& sun,
-                    double radius, double height, double reach) {
+                    double radius, double height, double reach, double nightSine) {
   BodyTiles tiles;
   int const size = std::max(kLeastPixels, std::max(picture.width, picture.height) / kTilesAcross);
   double const ground = angularRadiusFrom(radius, height, 0.0);
@@ -44,54 +104,77 @@ BodyTiles bodyTiles(const Projection& picture, const PixelBounds& bounds,
     if (!direction) return std::nullopt;
     return scaledFromCamera * direction->u;
   };
-  // Sine of the Sun's height where a ray meets the ground; -1 where it does not.
-  auto const sunSine = [&](const glm::dvec3& scaled) {
+  // Sines of the Sun's height at both ends of a ray through the air to the ground; -1 where it does
+  // not meet any. The one at the upper end is taken as if at the ground, which is higher.
+  struct Lighting {
+    double ground, start;
+  };
+  auto const lightingOf = [&](const glm::dvec3& scaled) -> Lighting {
     glm::dvec3 const direction = glm::normalize(scaled);
-    double const rise = (radius + height) * glm::dot(up, direction);
+    glm::dvec3 const camera = up * (radius + height);
+    double const rise = glm::dot(camera, direction);
     double const square = height * (2.0 * radius + height);
     double const root = rise * rise - square;
-    if (rise >= 0.0 || root <= 0.0) return -1.0;
+    if (rise >= 0.0 || root <= 0.0) return {-1.0, -1.0};
     double const distance = square / (std::sqrt(root) - rise);
-    return glm::dot(up * (radius + height) + direction * distance, sun) / radius;
+    double const outside = (height - reach) * (2.0 * radius + height + reach);
+    double const toTop = outside > 0.0 ? outside / (std::sqrt(rise * rise - outside) - rise) : 0.0;
+    return {glm::dot(camera + direction * distance, sun) / radius,
+            glm::dot(camera + direction * toTop, sun) / (radius + reach)};
   };
-  auto const partOf = [&](int x0, int y0, int x1, int y1) -> std::optional<BodyPart> {
-    std::optional<glm::dvec3> const middle = off(0.5 * (x0 + x1), 0.5 * (y0 + y1));
-    double spread = 0.0, lowest = 1.0, highest = -1.0;
-    for (auto const& [x, y] : {std::pair{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}) {
-      auto const corner = off(x, y);
+  struct Corner {
+    std::optional<glm::dvec3> direction;
+    Lighting light;
+  };
+  TileGrid grid;
+  grid.columns = (bounds.x1 - bounds.x0 + size - 1) / size;
+  grid.rows = (bounds.y1 - bounds.y0 + size - 1) / size;
+  std::vector<Corner> corners;
+  for (int row = 0; row <= grid.rows; ++row)
+    for (int column = 0; column <= grid.columns; ++column) {
+      auto const direction = off(std::min(bounds.x0 + column * size, bounds.x1),
+                                 std::min(bounds.y0 + row * size, bounds.y1));
+      corners.push_back({direction, direction ? lightingOf(*direction) : Lighting{-1.0, -1.0}});
+    }
+  auto const partOf = [&](int column, int row) -> std::optional<BodyPart> {
+    int const x = bounds.x0 + column * size, y = bounds.y0 + row * size;
+    std::optional<glm::dvec3> const middle =
+        off(0.5 * (x + std::min(x + size, bounds.x1)), 0.5 * (y + std::min(y + size, bounds.y1)));
+    double spread = 0.0, lowest = 1.0, highest = -1.0, highestStart = -1.0, lowestStart = 1.0;
+    for (auto const& [dx, dy] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+      Corner const& corner =
+          corners[static_cast<std::size_t>((row + dy) * (grid.columns + 1) + column + dx)];
       // On the edge of a fisheye's mask.
-      if (!corner || !middle) return BodyPart::Both;
-      spread = std::max(spread, angleBetween(*middle, *corner));
-      if (reach > 0.0) {
-        double const sine = sunSine(*corner);
-        lowest = std::min(lowest, sine);
-        highest = std::max(highest, sine);
-      }
+      if (!corner.direction || !middle) return BodyPart::Both;
+      spread = std::max(spread, angleBetween(*middle, *corner.direction));
+      lowest = std::min(lowest, corner.light.ground);
+      highest = std::max(highest, corner.light.ground);
+      lowestStart = std::min(lowestStart, corner.light.start);
+      highestStart = std::max(highestStart, corner.light.start);
     }
     spread = kBulge * spread + pixel;
     double const away = angleBetween(*middle, -up);
     if (away - spread > air) return std::nullopt;
-    // Below the lowest corner by half of their spread: the corners hold the extremes but for
-    // curvature.
-    if (away + spread < ground)
-      return reach > 0.0 && lowest - 0.5 * (highest - lowest) < kSunlitSine ? BodyPart::Both
-                                                                            : BodyPart::Ground;
+    // Beyond the corners' extremes by half of their spread: they hold them but for curvature.
+    if (away + spread < ground) {
+      double const margin = 0.5 * (highest - lowest);
+      if (lowest - margin >= kSunlitSine) return BodyPart::Sunlit;
+      bool const dark = highest + margin < nightSine &&
+                        highestStart + 0.5 * (highestStart - lowestStart) < nightSine;
+      return dark ? BodyPart::Night : BodyPart::Dusk;
+    }
     if (away - spread > ground) return reach > 0.0 ? std::optional(BodyPart::Air) : std::nullopt;
     return BodyPart::Both;
   };
-  for (int y = bounds.y0; y < bounds.y1; y += size) {
-    int const y1 = std::min(y + size, bounds.y1);
-    std::optional<BodyPart> run;
-    int from = bounds.x0;
-    for (int x = bounds.x0; x < bounds.x1; x += size) {
-      auto const part = partOf(x, y, std::min(x + size, bounds.x1), y1);
-      if (part == run) continue;
-      if (run) addRectangle(tiles[static_cast<std::size_t>(*run)], from, y, x, y1);
-      run = part;
-      from = x;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      auto const part = partOf(column, row);
+      grid.parts.push_back(part ? static_cast<int>(*part) : -1);
     }
-    if (run) addRectangle(tiles[static_cast<std::size_t>(*run)], from, y, bounds.x1, y1);
-  }
+  for (auto const& r : rectanglesOf(grid))
+    addRectangle(tiles[static_cast<std::size_t>(r.part)], bounds.x0 + r.x0 * size,
+                 bounds.y0 + r.y0 * size, std::min(bounds.x0 + r.x1 * size, bounds.x1),
+                 std::min(bounds.y0 + r.y1 * size, bounds.y1));
   return tiles;
 }
 

@@ -1,8 +1,8 @@
-// Which parts of a picture show a body's ground alone, its air alone, both, or nothing of it: the
-// picture is cut into tiles, and each is classed by the cone of its directions about the body's
-// centre in scaled space. Conservative: a tile of ground holds
-// ground alone, a tile of air no ground. Nothing is
-// drawn where nothing can be seen, and no pixel pays for the part it does not show.
+// Which parts of a picture show a body's ground alone (sunlit, at dusk or at night), its air alone,
+// both, or nothing of it: the picture is cut into tiles, and each is classed by the cone of its
+// directions about the body's centre in scaled space. Conservative: a tile of ground holds ground
+// alone, a tile of air no ground. Nothing is drawn where nothing can be seen, and no pixel pays for
+// the part it does not show.
 #pragma once
 
 #include <array>
@@ -13,19 +13,22 @@
 
 namespace antumbra {
 
-// Ground: with the Sun more than 7 degrees high everywhere.
-enum class BodyPart { Ground, Air, Both };
-// The Sun's height below which ground is not classed as such: its air wants more samples.
+// Sunlit: the Sun more than 7 degrees high everywhere. Night: neither the ground nor the air before
+// it receives any sunlight. Dusk: the other ground.
+enum class BodyPart { Sunlit, Dusk, Night, Air, Both };
+inline constexpr std::size_t kBodyParts = 5;
+// The sine of the Sun's height below which ground is not sunlit: its air wants more samples.
 inline constexpr double kSunlitSine = 0.12;
 
 // Rectangles of each part, in pixels of the picture, as corners of triangles.
-using BodyTiles = std::array<std::vector<glm::vec2>, 3>;
+using BodyTiles = std::array<std::vector<glm::vec2>, kBodyParts>;
 
 // `scaledFromCamera` turns camera axes into scaled space; `up` is the unit vector from the centre
 // to the camera there, `sun` that to the Sun, `height` the camera's above the ground (positive),
-// `reach` that of the air's top, 0 without air. Lengths in metres.
+// `reach` that of the air's top, 0 without air. Lengths in metres. `nightSine`: the sine of the
+// Sun's height (negative) below which a place is dark, at whatever height.
 BodyTiles bodyTiles(const Projection& picture, const PixelBounds& bounds,
                     const glm::dmat3& scaledFromCamera, const glm::dvec3& up, const glm::dvec3& sun,
-                    double radius, double height, double reach);
+                    double radius, double height, double reach, double nightSine);
 
 }  // namespace antumbra

@@ -153,7 +153,7 @@ std::vector<double> SkySampler::sample(const SkyRequest& request) {
         }
       if (probes.empty()) continue;
       auto flags = definitions;
-      flags.emplace_back(ground ? "BODY_GROUND" : "AIR_CUTS", "");
+      flags.emplace_back(ground ? "BODY_SUNLIT" : "AIR_CUTS", "");
       auto const radiances =
           own.run(probes, flags, ground ? s.quality.groundSamples : s.quality.viewSamples);
       for (std::size_t p = 0; p < probes.size(); ++p)

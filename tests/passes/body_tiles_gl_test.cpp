@@ -8,6 +8,8 @@
 namespace antumbra {
 namespace {
 
+constexpr double kNightSine = -0.3;
+
 // 0 nothing, 1 ground, 2 air for a ray from `height` above a unit sphere's pole.
 int seen(const glm::dvec3& direction, double height, double reach) {
   double const rise = (1.0 + height) * direction.z;
@@ -18,8 +20,24 @@ int seen(const glm::dvec3& direction, double height, double reach) {
   return rise < 0.0 && top > 0.0 ? 2 : 0;
 }
 
+// The Sun's sine at the ground that a ray meets, and the highest along its way through the air.
+std::pair<double, double> sunSines(const glm::dvec3& ray, double height, double reach,
+                                   const glm::dvec3& sun) {
+  glm::dvec3 const direction = glm::normalize(ray), camera(0.0, 0.0, 1.0 + height);
+  double const rise = glm::dot(camera, direction);
+  double const end = -rise - std::sqrt(rise * rise - height * (2.0 + height));
+  double highest = -1.0;
+  for (int i = 0; i <= 100; ++i) {
+    glm::dvec3 const point = camera + direction * (end * i / 100.0);
+    if (glm::length(point) > 1.0 + reach + 1e-9) continue;
+    highest = std::max(highest, glm::dot(point, sun) / glm::length(point));
+  }
+  return {glm::dot(glm::normalize(camera + direction * end), sun), highest};
+}
+
 TEST(BodyTiles, HoldEveryPixelInAPartThatDrawsIt) {
   glm::dvec3 const up(0.0, 0.0, 1.0);
+  int night = 0;
   for (auto kind :
        {ProjectionKind::Perspective, ProjectionKind::Fisheye, ProjectionKind::Equirectangular})
     for (double height : {1e-6, 0.01, 0.3, 4.0, 100.0})
@@ -30,31 +48,45 @@ TEST(BodyTiles, HoldEveryPixelInAPartThatDrawsIt) {
           // The camera looks along -z: turned about x, toward the body at tilt 0.
           glm::dmat3 const turn(glm::dvec3(1, 0, 0), glm::dvec3(0, std::cos(tilt), std::sin(tilt)),
                                 glm::dvec3(0, -std::sin(tilt), std::cos(tilt)));
-          auto const tiles = bodyTiles(picture, {0, 0, picture.width, picture.height}, turn, up, up,
-                                       1.0, height, reach);
-          std::vector<int> part(static_cast<std::size_t>(picture.width * picture.height), -1);
-          for (std::size_t p = 0; p < 3; ++p)
-            for (std::size_t i = 0; i < tiles[p].size(); i += 6)
-              for (int y = int(tiles[p][i].y); y < int(tiles[p][i + 2].y); ++y)
-                for (int x = int(tiles[p][i].x); x < int(tiles[p][i + 2].x); ++x) {
-                  auto& slot = part[static_cast<std::size_t>(y * picture.width + x)];
-                  EXPECT_EQ(slot, -1);
-                  slot = static_cast<int>(p);
+          for (glm::dvec3 const& sun :
+               {up, glm::dvec3(0.6, 0.0, -0.8), glm::dvec3(0.0, 1.0, 0.0)}) {
+            auto const tiles = bodyTiles(picture, {0, 0, picture.width, picture.height}, turn, up,
+                                         sun, 1.0, height, reach, kNightSine);
+            std::vector<int> part(static_cast<std::size_t>(picture.width * picture.height), -1);
+            for (std::size_t p = 0; p < kBodyParts; ++p)
+              for (std::size_t i = 0; i < tiles[p].size(); i += 6)
+                for (int y = int(tiles[p][i].y); y < int(tiles[p][i + 2].y); ++y)
+                  for (int x = int(tiles[p][i].x); x < int(tiles[p][i + 2].x); ++x) {
+                    auto& slot = part[static_cast<std::size_t>(y * picture.width + x)];
+                    EXPECT_EQ(slot, -1);
+                    slot = static_cast<int>(p);
+                  }
+            for (int y = 0; y < picture.height; ++y)
+              for (int x = 0; x < picture.width; ++x) {
+                auto const direction = picture.directionAt(x + 0.5, y + 0.5);
+                if (!direction) continue;
+                int const what = seen(turn * direction->u, height, reach);
+                int const drawn = part[static_cast<std::size_t>(y * picture.width + x)];
+                bool const both = drawn == int(BodyPart::Both);
+                bool const ground = drawn >= 0 && drawn <= int(BodyPart::Night);
+                bool const right = what == 1   ? ground
+                                   : what == 2 ? drawn == int(BodyPart::Air)
+                                               : !ground;
+                ASSERT_TRUE(both || right)
+                    << "pixel " << x << ", " << y << " shows " << what << ", drawn as " << drawn;
+                if (what != 1) continue;
+                auto const [low, high] = sunSines(turn * direction->u, height, reach, sun);
+                if (drawn == int(BodyPart::Sunlit)) {
+                  ASSERT_GE(low, kSunlitSine) << "pixel " << x << ", " << y;
                 }
-          for (int y = 0; y < picture.height; ++y)
-            for (int x = 0; x < picture.width; ++x) {
-              auto const direction = picture.directionAt(x + 0.5, y + 0.5);
-              if (!direction) continue;
-              int const what = seen(turn * direction->u, height, reach);
-              int const drawn = part[static_cast<std::size_t>(y * picture.width + x)];
-              bool const both = drawn == int(BodyPart::Both);
-              bool const right = what == 1   ? drawn == int(BodyPart::Ground)
-                                 : what == 2 ? drawn == int(BodyPart::Air)
-                                             : drawn != int(BodyPart::Ground);
-              ASSERT_TRUE(both || right)
-                  << "pixel " << x << ", " << y << " shows " << what << ", drawn as " << drawn;
-            }
+                if (drawn == int(BodyPart::Night)) {
+                  ASSERT_LT(high, kNightSine) << "pixel " << x << ", " << y;
+                  ++night;
+                }
+              }
+          }
         }
+  EXPECT_GT(night, 1000);
 }
 
 }  // namespace
