@@ -5,6 +5,7 @@
 //   AIR               the body has air (otherwise only the colours of interface/air.glsl are used)
 //   AIR_SKY           the camera is low in the air: its sky lies in a table
 //   SHADOW_PAIRS n    casters whose shadow may be seen
+//   RING_SHADOW       its rings may stand before the Sun
 //   BODY_SUNLIT, BODY_DUSK, BODY_NIGHT, BODY_SKY: all rays show that (src/passes/body_tiles.h)
 //   SURFACE_MAP, WATER_MASK, NIGHT_MAP, SURFACE_LUNAR, ILLUSTRATIVE
 // Mirrors `BodyBlock` in src/passes/bodies.cpp.
@@ -48,6 +49,33 @@ layout(binding = 1) uniform sampler2D waterMask;
 #endif
 #ifdef NIGHT_MAP
 layout(binding = 9) uniform sampler2D nightMap;
+#endif
+
+#ifdef RING_SHADOW
+// Mirrors `ShadowBlock` in src/passes/rings.cpp.
+layout(std140, binding = 13) uniform RingShadow {
+  vec4 ringShadowRadii;  // of the table's ends, m; log2 of its narrowest disc (m), rows an octave
+  vec4 ringShadowSun;    // x: angular radius of the Sun, rad
+};
+// Light that passes the rings: x: radius, y: log of half the width of the Sun's disc across them.
+layout(binding = 13) uniform sampler2D ringShadow;
+
+// Share of sunlight that passes the rings on its way to a point of the globe (true axes, m from the
+// centre).
+float sunlightThroughRings(vec3 point) {
+  vec3 sun = bodyTrueSun.xyz;
+  float way = -point.z / sun.z;
+  vec2 at = point.xy + sun.xy * way;
+  float radius = length(at);
+  float x = (radius - ringShadowRadii.x) / (ringShadowRadii.y - ringShadowRadii.x);
+  if (way <= 0.0 || x <= 0.0 || x >= 1.0) return 1.0;
+  float outward = dot(sun.xy, at) / (radius * sun.z);
+  float width = way * ringShadowSun.x * sqrt(1.0 + outward * outward);
+  ivec2 size = textureSize(ringShadow, 0);
+  float row = clamp((log2(max(width, 1.0)) - ringShadowRadii.z) * ringShadowRadii.w, 0.0,
+                    float(size.y - 1));
+  return textureLod(ringShadow, (vec2(x * float(size.x - 1), row) + 0.5) / vec2(size), 0.0).r;
+}
 #endif
 
 struct BodyLight {
@@ -137,6 +165,9 @@ SurfaceLight surfaceLight(vec3 normal, vec3 direction, float footprint) {
 #endif
   float viewCosine = max(-dot(normal, direction), 1e-3);
   vec4 direct[AIR_LAYERS];
+#ifdef RING_SHADOW
+  float passed = sunlightThroughRings(position * vec3(1.0, 1.0, bodyShape.y));
+#endif
   for (int layer = 0; layer < AIR_LAYERS; ++layer) {
     vec4 sun = vec4(1.0);
 #ifdef AIR
@@ -144,6 +175,9 @@ SurfaceLight surfaceLight(vec3 normal, vec3 direction, float footprint) {
 #endif
 #if defined(SHADOW_PAIRS) && !defined(UNECLIPSED)
     sun *= visibleSunlight(position, layer);
+#endif
+#ifdef RING_SHADOW
+    sun *= passed;
 #endif
     direct[layer] = sun;
   }

@@ -60,6 +60,7 @@ struct Resident {
   int pairCount = 0;
   LimbDarkeningLaw law = LimbDarkeningLaw::Hestroffer;
   bool illustrative = false;
+  std::unique_ptr<Rings> rings;
   std::unique_ptr<AirSky> sky;
   bool skyShown = false;
   gl::Buffer block;
@@ -107,6 +108,13 @@ struct BodiesPass::State {
     wavelengths = defaultWavelengths(q.wavelengths);
     auto const block = airBlockOf(nullptr, wavelengths, 1.0 * metre, -0.5, Angle(0.00465), {});
     vacuum.write(std::span<const glm::vec4>(block));
+  }
+
+  gl::Definitions vacuumDefinitions() const {
+    return {{"AIR_LAYERS", std::to_string(wavelengths.size() / 4)},
+            {"AIR_CONSTITUENTS", "1"},
+            {"AIR_SMOOTH", "1"},
+            {"AIR_DARK", "1"}};
   }
 
   const gl::Texture* map(const std::string& file, const std::string& where, bool colour) {
@@ -242,10 +250,19 @@ void BodiesPass::prepare(const PlannedBody& body, const Projection& picture, con
     definitions.emplace_back("AIR_SINGLE", "");
     definitions.emplace_back("AIR_SOURCE", "");
   } else {
-    definitions.emplace_back("AIR_LAYERS", std::to_string(s.wavelengths.size() / 4));
-    definitions.emplace_back("AIR_CONSTITUENTS", "1");
-    definitions.emplace_back("AIR_SMOOTH", "1");
-    definitions.emplace_back("AIR_DARK", "1");
+    auto const none = s.vacuumDefinitions();
+    definitions.insert(definitions.end(), none.begin(), none.end());
+  }
+  if (body.rings) {
+    if (!resident.rings || !resident.rings->belongsTo(look.law))
+      resident.rings = std::make_unique<Rings>(body.rings->system, look.law, s.wavelengths,
+                                               s.vacuumDefinitions(), s.exact);
+    resident.rings->update(body, picture);
+    if (body.rings->shadeGlobe) {
+      shadowFlags.emplace_back("RING_SHADOW", "");
+      ++resident.pairCount;
+    }
+    if (!body.rings->bounds.empty()) ++resident.pairCount;
   }
   resident.skyShown = air && AirSky::serves(*air, body.cameraHeight);
   if (resident.skyShown) {
@@ -342,6 +359,7 @@ void BodiesPass::draw(const PlannedBody& body, const Projection& picture, glm::i
   if (resident.shadows) resident.shadows->bind();
   if (resident.eclipsed) resident.eclipsed->bind();
   if (resident.refracted) resident.refracted->bind();
+  if (body.rings && body.rings->shadeGlobe) resident.rings->bindShadow();
   resident.block.bindUniform(2);
   if (!body.map.empty()) s.maps.at(body.map).bind(0);
   if (!body.waterMask.empty()) s.maps.at(body.waterMask).bind(1);
@@ -368,6 +386,15 @@ void BodiesPass::draw(const PlannedBody& body, const Projection& picture, glm::i
   glDisable(GL_SCISSOR_TEST);
 }
 
+void BodiesPass::drawRings(const PlannedBody& body, RingsHalf half, glm::ivec2 tileOrigin,
+                           glm::ivec2 targetSize) {
+  auto& s = *state_;
+  auto const& resident = s.bodies.at(body.name);
+  s.vacuum.bindUniform(1);
+  resident.block.bindUniform(2);
+  resident.rings->draw(body.rings->bounds, half, tileOrigin, targetSize);
+}
+
 int BodiesPass::tablesBuilt() const { return state_->tablesBuilt; }
 
 int BodiesPass::shadowPairs() const {
@@ -386,6 +413,7 @@ std::vector<std::pair<std::string, std::size_t>> BodiesPass::residentBytes() con
     if (resident.eclipsed) list.emplace_back("eclipsed air of " + name, resident.eclipsed->bytes());
     if (resident.refracted)
       list.emplace_back("light refracted toward " + name, resident.refracted->bytes());
+    if (resident.rings) list.emplace_back("rings of " + name, resident.rings->bytes());
     if (resident.sky) list.emplace_back("sky of " + name, resident.sky->bytes());
   }
   return list;

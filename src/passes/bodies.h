@@ -15,6 +15,7 @@
 #include "eclipse/limb_darkening.h"
 #include "gl/decoded_image.h"
 #include "passes/air_quality.h"
+#include "passes/rings.h"
 #include "plan/planned_body.h"
 #include "view/projection.h"
 
@@ -41,6 +42,10 @@ class BodiesPass {
   // `tileOrigin` of the picture; the view block is bound at 0. Leaves blending and scissor off.
   void draw(const PlannedBody& body, const Projection& picture, glm::ivec2 tileOrigin,
             glm::ivec2 targetSize);
+  // Draws the half of its rings that stands beyond or before the globe, of a body that `prepare`
+  // has seen with rings in the picture.
+  void drawRings(const PlannedBody& body, RingsHalf half, glm::ivec2 tileOrigin,
+                 glm::ivec2 targetSize);
   // Draws again the sky table of a body, for measuring; false where it has none.
   bool repeatSky(const PlannedBody& body);
 

@@ -187,10 +187,18 @@ struct PictureRenderer::State {
     glm::ivec2 const size{linear.width(), linear.height()};
     auto const firstAir =
         std::find_if(plan.bodies.begin(), plan.bodies.end(),
-                     [](const PlannedBody& body) { return !body.atmosphere.empty(); });
+                     [](const PlannedBody& body) { return body.coversSunItself(); });
     auto const drawBodies = [&](auto from, auto to) {
-      for (auto body = from; body != to; ++body)
+      for (auto body = from; body != to; ++body) {
+        bool const rings = body->rings && !body->rings->bounds.empty();
+        if (rings)
+          run("rings beyond " + body->name,
+              [&] { bodies->drawRings(*body, RingsHalf::BeyondGlobe, origin, size); });
         run("body " + body->name, [&] { bodies->draw(*body, plan.picture, origin, size); });
+        if (rings)
+          run("rings before " + body->name,
+              [&] { bodies->drawRings(*body, RingsHalf::BeforeGlobe, origin, size); });
+      }
     };
     drawBodies(plan.bodies.begin(), firstAir);
     LimbDarkeningLaw const law =
@@ -198,10 +206,10 @@ struct PictureRenderer::State {
     SunInView const sun = sunInView(plan, law);
     SunPlane const plane(sun);
     if (plan.drawSun) {
-      // Bodies with air cover the Sun themselves, for their air reddens and dims it first.
+      // Bodies with air or rings cover the Sun themselves, for these dim it first.
       std::vector<SpheroidInView> airless;
       for (auto const& body : plan.bodies)
-        if (body.atmosphere.empty()) airless.push_back(spheroidOf(body));
+        if (!body.coversSunItself()) airless.push_back(spheroidOf(body));
       auto const discs = plane.silhouettes(airless);
       auto const wide = plane.silhouettes(airless, kCoronaEnd);
       run("sun", [&] { passes.sun.draw(plan.picture, sun, plane, discs, origin); });

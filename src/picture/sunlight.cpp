@@ -17,6 +17,20 @@ glm::dvec3 solarIlluminanceAtOneAu() {
   return lux;
 }
 
+namespace {
+
+// Toward the Sun's centre, in the body's axes.
+double lightThroughRings(const PlannedBody& body, Direction<CameraAxes> sun) {
+  glm::dvec3 const camera = body.bodyFromCamera.matrix * -body.centre.m;
+  glm::dvec3 const ray = body.bodyFromCamera.matrix * sun.u;
+  double const way = -camera.z / ray.z;
+  if (!(way > 0.0)) return 1.0;
+  Length const radius(glm::length(glm::dvec2(camera + ray * way)));
+  return std::exp(-body.rings->system.opticalDepthAt(radius) / std::fabs(ray.z));
+}
+
+}  // namespace
+
 SunlightThroughAir::SunlightThroughAir()
     : wavelengths_(defaultWavelengths(16)), weights_(linearSrgbWeights(wavelengths_)) {}
 
@@ -24,6 +38,11 @@ glm::dvec3 SunlightThroughAir::share(const RenderPlan& plan) {
   std::vector<double> passed(wavelengths_.size(), 1.0);
   bool any = false;
   for (const PlannedBody& body : plan.bodies) {
+    if (body.rings) {
+      double const light = lightThroughRings(body, plan.sun.direction);
+      for (double& p : passed) p *= light;
+      any = any || light < 1.0;
+    }
     if (body.atmosphere.empty()) continue;
     glm::dvec3 const stretch(1.0, 1.0, body.equatorialRadius / body.polarRadius);
     glm::dmat3 const& turn = body.bodyFromCamera.matrix;

@@ -1,5 +1,5 @@
-// Sunlight as it arrives at the camera: through the air of every body that the line of sight
-// crosses.
+// Sunlight as it arrives at the camera: through the air and the rings of every body that the line
+// of sight crosses.
 #pragma once
 
 #include <glm/glm.hpp>

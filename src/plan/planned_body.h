@@ -3,12 +3,14 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "eclipse/shadow_pair.h"
 #include "frame/frames.h"
 #include "quantity/vector.h"
+#include "scene/ring_system.h"
 #include "view/projection.h"
 
 namespace antumbra {
@@ -33,6 +35,15 @@ struct PlannedBody {
   };
   std::vector<Caster> casters;
 
+  // Rings in its equatorial plane that are drawn, or whose shadow on it is.
+  struct Rings {
+    RingSystem system;
+    PixelBounds bounds;       // empty: only their shadow is seen
+    bool shadeGlobe = false;  // the globe is in the picture
+    ShadowRadii globe;        // of the Sun and the globe, for its shadow on the rings
+  };
+  std::optional<Rings> rings;
+
   // Height of the camera above the spheroid in the space in which the body is a sphere of its
   // equatorial radius (axes scaled by equatorial/polar along the pole), from a double subtraction.
   Length cameraHeight;
@@ -49,6 +60,9 @@ struct PlannedBody {
   glm::vec3 mapFactor{1.0f};  // on the map's linear values, where the map is relative
   bool lommelSeeliger = false;
   bool cameraInAir = false;
+
+  // Drawn after the Sun, which its air or rings dim.
+  bool coversSunItself() const { return !atmosphere.empty() || rings; }
 };
 
 }  // namespace antumbra

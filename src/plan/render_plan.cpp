@@ -63,6 +63,51 @@ std::vector<PlannedBody::Caster> liveCasters(const PlacedBody& receiver,
   return casters;
 }
 
+// Geometric mean of the planetocentric latitudes of Sun and observer, 0 where their signs differ:
+// what the magnitude of a ringed planet depends on.
+Angle ringTilt(const PlacedBody& b) {
+  double const sun = b.bodyFromIcrs(directionOf(b.sunFromBody)).u.z;
+  double const eye = -b.bodyFromIcrs(directionOf(b.fromCamera)).u.z;
+  if (sun * eye <= 0.0) return Angle();
+  return Angle(std::sqrt(std::asin(std::fabs(sun)) * std::asin(std::fabs(eye))));
+}
+
+// Rings that are in the picture, or whose shadow on a globe in the picture is.
+std::optional<PlannedBody::Rings> planRings(const PlacedBody& b, const PlannedBody& globe,
+                                            Direction<CameraAxes> direction, Length distance,
+                                            const ShadowConvention& convention, RenderPlan& plan) {
+  RingSystem const& system = *b.body->rings;
+  std::string const what = "rings of " + b.body->name;
+  double const sun = directionOf(globe.sun).u.z;
+  if (std::fabs(sun) < 1e-5) {
+    plan.leftOut.push_back({what, "the Sun stands in their plane"});
+    return std::nullopt;
+  }
+  PlannedBody::Rings rings;
+  rings.system = system;
+  rings.bounds = boundsOfCap(plan.picture, direction,
+                             angularRadius(system.outer(), distance) + plan.picture.pixelAngle());
+  rings.shadeGlobe = !globe.bounds.empty();
+  rings.globe = convention.radiiOf(b.body->name, b.body->equatorialRadius);
+  double const eye = -b.bodyFromIcrs(directionOf(b.fromCamera)).u.z;
+  std::string const height =
+      fmt::format("the Sun stands {:.1f} deg {} of their plane",
+                  std::asin(std::fabs(sun)) / degree.si, sun > 0.0 ? "north" : "south");
+  if (rings.bounds.empty()) {
+    plan.leftOut.push_back({what, "outside the picture"});
+  } else {
+    plan.drawn.push_back(
+        {what, fmt::format("{:.0f} to {:.0f} km in {} parts, the {} side is seen",
+                           system.inner() / kilometre, system.outer() / kilometre,
+                           system.parts.size(), sun * eye > 0.0 ? "lit" : "unlit")});
+    plan.shadows.push_back({b.body->name + " on its rings", height + "; they are in the picture"});
+  }
+  if (rings.shadeGlobe)
+    plan.shadows.push_back({"rings on " + b.body->name, height + "; the globe is in the picture"});
+  if (rings.bounds.empty() && !rings.shadeGlobe) return std::nullopt;
+  return rings;
+}
+
 }  // namespace
 
 RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
@@ -100,7 +145,7 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
         continue;
       }
       auto const magnitude =
-          b.body->magnitude.apparent(phaseAngle(b), norm(b.sunFromBody), distance);
+          b.body->magnitude.apparent(phaseAngle(b), norm(b.sunFromBody), distance, ringTilt(b));
       if (!magnitude) {
         plan.leftOut.push_back(
             {b.body->name,
@@ -132,7 +177,8 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
     Angle const capRadius = angularRadius(reach, distance);
     // Half a pixel more, for the antialiased limb.
     p.bounds = boundsOfCap(picture, direction, capRadius + picture.pixelAngle());
-    if (p.bounds.empty()) {
+    if (b.body->rings) p.rings = planRings(b, p, direction, distance, convention, plan);
+    if (p.bounds.empty() && !p.rings) {
       plan.leftOut.push_back({b.body->name, "outside the picture"});
       continue;
     }
@@ -209,7 +255,9 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
     plan.leftOut.push_back({"sun", plan.sun.hiddenByBody ? "wholly behind " + plan.sun.hiddenBy
                                                          : "outside the picture"});
   for (auto const& b : plan.bodies) {
-    if (!b.atmosphere.empty()) passSun();
+    if (b.coversSunItself()) passSun();
+    bool const rings = b.rings && !b.rings->bounds.empty();
+    if (rings) passes.push_back({"rings beyond " + b.name, "their far half lies behind the globe"});
     passes.push_back(
         {"body " + b.name,
          fmt::format(
@@ -217,6 +265,7 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
              b.cameraInAir ? "the camera is in its air" : "a disc of " + pixels(b.diameterPixels),
              b.atmosphere.empty() ? "" : ", with air",
              b.casters.empty() ? "" : fmt::format(", shaded by {}", b.casters.size()))});
+    if (rings) passes.push_back({"rings before " + b.name, "their near half covers the globe"});
   }
   passSun();
   if (plan.queryOcclusion)
@@ -244,6 +293,7 @@ void RenderPlan::rescaleBounds(const Projection& before) {
   rescale(sun.bounds);
   for (auto& body : bodies) {
     rescale(body.bounds);
+    if (body.rings && !body.rings->bounds.empty()) rescale(body.rings->bounds);
     body.diameterPixels *= factor;
   }
 }

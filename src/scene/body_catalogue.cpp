@@ -130,7 +130,11 @@ Body readBody(const Table& table, const std::string& key) {
   if (surface) body.surface = readSurface(*surface, body.colorIndexBv);
   if (!surface && body.kind != "star") table.fail("surface", "missing; a body needs its surface");
   body.magnitude = readMagnitude(table);
-  if (auto const rings = table.tableIfPresent("rings")) (void)rings->keys();
+  if (auto const rings = table.tableIfPresent("rings")) {
+    body.rings = readRings(*rings);
+    if (body.rings->inner() < body.equatorialRadius)
+      rings->fail("part", "the innermost part begins inside the body; allowed: outside it");
+  }
   return body;
 }
 

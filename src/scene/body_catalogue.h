@@ -11,6 +11,7 @@
 
 #include "document/document.h"
 #include "quantity/quantity.h"
+#include "scene/ring_system.h"
 
 namespace antumbra {
 
@@ -54,6 +55,7 @@ struct Body {
   Length polarRadius;
   Surface surface;
   MagnitudeLaw magnitude;
+  std::optional<RingSystem> rings;
   std::string file;
 };
 
