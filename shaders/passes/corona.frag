@@ -14,6 +14,8 @@ void main() {
   ViewRay ray = viewRayOf(gl_FragCoord.xy);
   vec3 middle = sunPlanePoint(ray.direction);
   if (middle.z == 0.0 || ray.inside == 0.0) discard;
+  // The plane has no points a right angle from the Sun, and no corona far within that.
+  if (dot(middle.xy, middle.xy) > 4.0 * fade.y * fade.y) discard;
   vec2 right = sunPlanePoint(viewRayOf(gl_FragCoord.xy + vec2(1.0, 0.0)).direction).xy - middle.xy;
   vec2 up = sunPlanePoint(viewRayOf(gl_FragCoord.xy + vec2(0.0, 1.0)).direction).xy - middle.xy;
   float size = max(length(right), length(up));

@@ -61,6 +61,7 @@ namespace {
 #include "shared/projection.glsl"
 #include "shared/refracted_shadow.glsl"
 #include "shared/several_casters.glsl"
+#include "shared/shadow_cone.glsl"
 #include "shared/surface.glsl"
 #include "shared/tone_curve.glsl"
 }  // namespace

@@ -16,8 +16,12 @@ std::size_t letters(const std::string& utf8) {
 
 }  // namespace
 
+double DrawnLabels::lengthOf(const DrawnWords& words) {
+  return kAdvance * words.size * static_cast<double>(letters(words.text));
+}
+
 bool DrawnLabels::place(DrawnWords words, const std::vector<Place>& places) {
-  double const width = kAdvance * words.size * static_cast<double>(letters(words.text));
+  double const width = lengthOf(words);
   for (auto const& [at, anchor] : places) {
     double const before = anchor == DrawnWords::Anchor::Start    ? 0.0
                           : anchor == DrawnWords::Anchor::Middle ? 0.5 * width
@@ -28,6 +32,9 @@ bool DrawnLabels::place(DrawnWords words, const std::vector<Place>& places) {
         std::vector{box.least, box.most, glm::dvec2(box.least.x, box.most.y),
                     glm::dvec2(box.most.x, box.least.y)},
         [&](glm::dvec2 corner) {
+          if (drawing_.clipRadius <= 0.0)
+            return corner.x > 0.0 && corner.y > 0.0 && corner.x < drawing_.width &&
+                   corner.y < drawing_.height;
           return glm::length(corner - drawing_.clipCentre) < drawing_.clipRadius;
         });
     bool const free = std::ranges::none_of(taken_, [&](const Box& other) {

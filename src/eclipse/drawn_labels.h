@@ -19,9 +19,13 @@ class DrawnLabels {
   explicit DrawnLabels(Drawing& drawing) : drawing_(drawing) {}
 
   // Writes `words` at the first of `places` where its box keeps 2 pixels from all boxes
-  // taken so far and lies within the drawing's circle; false, and nothing written, if there is
-  // none.
+  // taken so far and lies within the drawing's circle (without one, within the drawing); false, and
+  // nothing written, if there is none.
   bool place(DrawnWords words, const std::vector<Place>& places);
+  // Keeps words away from a rectangle.
+  void keepFree(glm::dvec2 least, glm::dvec2 most) { taken_.push_back({least, most}); }
+  // Estimate of the words' length in pixels.
+  static double lengthOf(const DrawnWords& words);
 
  private:
   struct Box {

@@ -183,43 +183,54 @@ EclipseCurves eclipseCurves(const SolarEvent& event, const ShadowRadii& radii, A
       CurveKind::BeginsOrEndsOnHorizon, "last contact at sunrise or sunset", 0.0,
       [](const Node& n) { return n.altitudeAtLast; }, eclipsed);
 
-  auto const& eclipse = event.eclipse;
-  if (eclipse.c1 && eclipse.c4) {
-    GlobeCurve centre{CurveKind::CentralLine, "central line", 0.0, {}};
-    bool const annular = eclipse.type[0] == 'A';
-    std::string const what =
-        annular ? "annularity" : (eclipse.type[0] == 'H' ? "umbra" : "totality");
-    GlobeCurve left{CurveKind::UmbraLimit, "left limit of " + what, 0.0, {}};
-    GlobeCurve right{CurveKind::UmbraLimit, "right limit of " + what, 0.0, {}};
-    double const first = event.track.secondsAt(*eclipse.c1) + 0.01;
-    double const last = event.track.secondsAt(*eclipse.c4) - 0.01;
-    constexpr int kSteps = 400;
-    for (int i = 0; i <= kSteps; ++i) {
-      // Closer together at both ends, where the shadow runs fastest.
-      double const share = 0.5 - 0.5 * std::cos(M_PI * i / kSteps);
-      auto const point = centralPoint(event.track, radii, first + share * (last - first));
-      if (!point) continue;
-      centre.sites.push_back(point->place);
-      if (point->left) left.sites.push_back(*point->left);
-      if (point->right) right.sites.push_back(*point->right);
-    }
-    for (auto* curve : {&centre, &left, &right})
-      if (curve->sites.size() > 1) all.curves.push_back(std::move(*curve));
-
-    DeltaT const deltaT = DeltaT::fixed(eclipse.deltaT);
-    double const interval = 600.0;
-    auto const ut = eclipse.c1->ut1(deltaT);
-    double const dayStart = std::floor(ut.whole + ut.fraction - 0.5) + 0.5;
-    Instant const midnight = Instant::fromUt1({dayStart, 0.0}, deltaT);
-    for (double n = std::ceil((*eclipse.c1 - midnight).si / interval);; n += 1.0) {
-      Instant const t = midnight + n * interval * second;
-      if (t > *eclipse.c4) break;
-      double const seconds = event.track.secondsAt(t);
-      if (auto const place = centralPlace(event.track, radii, seconds))
-        all.marks.push_back({t, *place, umbraFootprint(event.track, radii, seconds, 60)});
-    }
-  }
+  for (auto& curve : centralCurves(event, radii)) all.curves.push_back(std::move(curve));
+  all.marks = timeMarks(event, radii, 600.0 * second);
   return all;
+}
+
+std::vector<GlobeCurve> centralCurves(const SolarEvent& event, const ShadowRadii& radii) {
+  auto const& eclipse = event.eclipse;
+  if (!eclipse.c1 || !eclipse.c4) return {};
+  GlobeCurve centre{CurveKind::CentralLine, "central line", 0.0, {}};
+  bool const annular = eclipse.type[0] == 'A';
+  std::string const what = annular ? "annularity" : (eclipse.type[0] == 'H' ? "umbra" : "totality");
+  GlobeCurve left{CurveKind::UmbraLimit, "left limit of " + what, 0.0, {}};
+  GlobeCurve right{CurveKind::UmbraLimit, "right limit of " + what, 0.0, {}};
+  double const first = event.track.secondsAt(*eclipse.c1) + 0.01;
+  double const last = event.track.secondsAt(*eclipse.c4) - 0.01;
+  constexpr int kSteps = 400;
+  for (int i = 0; i <= kSteps; ++i) {
+    // Closer together at both ends, where the shadow runs fastest.
+    double const share = 0.5 - 0.5 * std::cos(M_PI * i / kSteps);
+    auto const point = centralPoint(event.track, radii, first + share * (last - first));
+    if (!point) continue;
+    centre.sites.push_back(point->place);
+    if (point->left) left.sites.push_back(*point->left);
+    if (point->right) right.sites.push_back(*point->right);
+  }
+  std::vector<GlobeCurve> curves;
+  for (auto* curve : {&centre, &left, &right})
+    if (curve->sites.size() > 1) curves.push_back(std::move(*curve));
+  return curves;
+}
+
+std::vector<TimeMark> timeMarks(const SolarEvent& event, const ShadowRadii& radii,
+                                Duration interval) {
+  auto const& eclipse = event.eclipse;
+  std::vector<TimeMark> marks;
+  if (!eclipse.c1 || !eclipse.c4) return marks;
+  DeltaT const deltaT = DeltaT::fixed(eclipse.deltaT);
+  auto const ut = eclipse.c1->ut1(deltaT);
+  double const dayStart = std::floor(ut.whole + ut.fraction - 0.5) + 0.5;
+  Instant const midnight = Instant::fromUt1({dayStart, 0.0}, deltaT);
+  for (double n = std::ceil((*eclipse.c1 - midnight) / interval);; n += 1.0) {
+    Instant const t = midnight + n * interval;
+    if (t > *eclipse.c4) break;
+    double const seconds = event.track.secondsAt(t);
+    if (auto const place = centralPlace(event.track, radii, seconds))
+      marks.push_back({t, *place, umbraFootprint(event.track, radii, seconds, 60)});
+  }
+  return marks;
 }
 
 }  // namespace antumbra

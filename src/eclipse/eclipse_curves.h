@@ -44,4 +44,10 @@ struct EclipseCurves {
 EclipseCurves eclipseCurves(const SolarEvent& event, const ShadowRadii& radii,
                             Angle gridStep = 1.0 * degree);
 
+// Of them, what needs no grid: central line and limits, at 401 instants closer together near both
+// ends; and marks at whole multiples of `interval` since 0 h UT1. Empty where the axis misses.
+std::vector<GlobeCurve> centralCurves(const SolarEvent& event, const ShadowRadii& radii);
+std::vector<TimeMark> timeMarks(const SolarEvent& event, const ShadowRadii& radii,
+                                Duration interval);
+
 }  // namespace antumbra

@@ -16,7 +16,9 @@
 #include "gl/texture.h"
 #include "gl/view_block.h"
 #include "passes/bodies.h"
+#include "passes/cone_pass.h"
 #include "passes/corona.h"
+#include "passes/drawing_pass.h"
 #include "passes/glare.h"
 #include "passes/stars.h"
 #include "passes/sun.h"
@@ -87,6 +89,8 @@ struct PictureRenderer::State {
   SunlightThroughAir throughAir;
   glm::dvec3 airBeforeSun{1.0};
   std::vector<StarPoint> stars;  // of the picture in hand
+  std::map<ProjectionKind, ConePass> conePasses;
+  std::optional<DrawingPass> curves, clock;
 
   ProjectionPasses& passesFor(ProjectionKind kind) {
     return byProjection.try_emplace(kind, kind).first->second;
@@ -223,6 +227,26 @@ struct PictureRenderer::State {
     }
   }
 
+  // Over the bound target, which holds a tile of the picture as displayed.
+  void drawOverlays(const RenderPlan& plan, glm::ivec2 origin) {
+    auto const& overlays = plan.overlays;
+    if (!overlays.cones.empty()) {
+      ConePass& cones = conePasses.try_emplace(plan.picture.kind, plan.picture.kind).first->second;
+      cones.prepare(overlays.cones, overlays.solids);
+      run("overlay cones", [&] { cones.draw(); });
+    }
+    glm::ivec2 const size{linear.width(), linear.height()};
+    auto const drawDrawing = [&](const char* name, const Drawing& drawing,
+                                 std::optional<DrawingPass>& pass) {
+      if (drawing.shapes.empty() && drawing.words.empty()) return;
+      if (!pass) pass.emplace();
+      pass->prepare(drawing);
+      run(name, [&] { pass->draw(origin, size); });
+    };
+    drawDrawing("overlay curves", overlays.curves, curves);
+    drawDrawing("overlay clock", overlays.clock, clock);
+  }
+
   Exposure exposureOf(const Scene& scene, const MeterReading& reading) const {
     if (!scene.display.automaticExposure) return {scene.display.whiteLuminance};
     return exposureFor(reading, {scene.display.compensationStops});
@@ -273,6 +297,7 @@ FinishedPicture PictureRenderer::finish(const Scene& scene, const PlacedScene& p
       s.drawTile(scene, plan, {x, y});
       if (!tiled) exposure = s.exposureOf(scene, toneMap.measure(s.linear));
       s.run("tone map", [&] { toneMap.apply(s.linear, exposure, &s.displayTarget, {x, y}); });
+      s.drawOverlays(plan, {x, y});
       std::vector<float> linear(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 3);
       std::vector<std::uint8_t> srgb(linear.size());
       glGetTextureImage(s.linear.id(), 0, GL_RGB, GL_FLOAT,
@@ -314,6 +339,7 @@ void PictureRenderer::show(const Scene& scene, const PlacedScene& placed, const 
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, plan.picture.width, plan.picture.height);
   toneMap.apply(s.linear, *s.liveExposure, nullptr);
+  s.drawOverlays(plan, {0, 0});
 }
 
 const PictureCounters& PictureRenderer::counters() const { return state_->counters; }

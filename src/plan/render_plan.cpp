@@ -277,6 +277,10 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
                                                    : "the illustrative look has no glare"});
   if (plan.queryOcclusion) passes.push_back({"glare", "the uncovered part of the Sun dazzles"});
   passes.push_back({"tone map", "to the display"});
+  plan.overlays = planOverlays(scene, placed, plan.bodies);
+  passes.insert(passes.end(), plan.overlays.passes.begin(), plan.overlays.passes.end());
+  plan.leftOut.insert(plan.leftOut.end(), plan.overlays.leftOut.begin(),
+                      plan.overlays.leftOut.end());
   if (plan.shadows.empty())
     plan.leftOut.push_back({"shadow pairs", "no body's penumbra reaches a body drawn as a disc"});
   return plan;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "plan/overlay_plan.h"
 #include "plan/planned_body.h"
 #include "scene/placed_scene.h"
 #include "scene/scene.h"
@@ -32,12 +33,6 @@ struct PlannedSun {
   PixelBounds bounds;  // of its disc
 };
 
-// A line of the explanation: what, and why.
-struct Reason {
-  std::string what;
-  std::string why;
-};
-
 struct RenderPlan {
   Projection picture;
   std::vector<PlannedBody> bodies;  // discs, far to near; the camera's own body last
@@ -45,6 +40,7 @@ struct RenderPlan {
   PlannedSun sun;
   bool drawSun = false;
   bool queryOcclusion = false;
+  PlannedOverlays overlays;  // above the tone-mapped picture
 
   std::vector<Reason> drawn;    // bodies and points
   std::vector<Reason> tables;   // atmosphere tables to have resident, by medium

@@ -180,6 +180,7 @@ Scene readScene(const Table& table) {
             ? shadows->oneOf("limb_darkening", {"hestroffer", "neckel", "none"})
             : "hestroffer";
   }
+  if (auto const overlays = table.tableIfPresent("overlays")) s.overlays = readOverlays(*overlays);
   if (auto const animation = table.tableIfPresent("animation")) {
     s.frames = static_cast<int>(animation->integer("frames"));
     if (s.frames < 1)

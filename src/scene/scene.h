@@ -29,6 +29,8 @@
 //   [shadows]
 //   convention = "iau"                       # or "nasa": radii of Sun and Moon
 //   limb_darkening = "hestroffer"            # "neckel", "none"
+//   [overlays]                               # curves, cones, clock: scene/overlay_settings.h
+//   central_line = true
 //   [animation]
 //   frames = 12
 //   [[keyframe]]                             # interpolated smoothly between; heights geometrically
@@ -44,6 +46,7 @@
 
 #include "document/document.h"
 #include "quantity/quantity.h"
+#include "scene/overlay_settings.h"
 #include "time/instant.h"
 #include "view/projection.h"
 
@@ -97,6 +100,7 @@ struct Scene {
   Projection picture;
   DisplaySettings display;
   ShadowSettings shadows;
+  OverlaySettings overlays;
   std::string quality = "balanced";
   int frames = 1;
   std::vector<Keyframe> keyframes;

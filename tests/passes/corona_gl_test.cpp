@@ -53,6 +53,18 @@ TEST_F(CoronaGlTest, KeepsItsLightOnADome) {
   }
 }
 
+// The plane that touches the sky at the Sun ends a right angle from it.
+TEST_F(CoronaGlTest, ThereIsNoneARightAngleAway) {
+  Projection const p{ProjectionKind::Perspective, 100.0 * degree, 256, 256};
+  SunInView const sun = sunAt(glm::normalize(glm::dvec3{0.003, 1.0, -0.002}));
+  SunPlane const plane(sun);
+  SkyPicture picture(p);
+  CoronaPass pass(p.kind);
+  picture.draw([&] { pass.draw(p, sun, plane, {}, {0.3}); });
+  for (int y = 0; y < p.height; ++y)
+    for (int x = 0; x < p.width; ++x) EXPECT_EQ(picture.at(x, y).y, 0.0) << x << " " << y;
+}
+
 TEST_F(CoronaGlTest, TheMoonIsBlackAgainstIt) {
   Projection const p{ProjectionKind::Perspective, 1.2 * degree, 256, 256};
   SunInView const sun = sunAt({0, 0, -1});

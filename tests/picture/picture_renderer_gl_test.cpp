@@ -10,6 +10,7 @@
 #include "document/paths.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/ground_window.h"
+#include "tests/support/globe_view.h"
 
 namespace antumbra {
 namespace {
@@ -113,6 +114,42 @@ TEST_F(GlTest, FiniteAtEveryHeightAndRefusedBeyondTheLargestSize) {
   }
   scene.picture.width = scene.picture.height = 20000;
   EXPECT_THROW(draw(scene, "2027-08-02T09:05:06Z"), InputError);
+}
+
+// The central line of 2 August 2027 where the authority's place of greatest eclipse lies: overlays
+// stand in the displayed picture and leave the light alone.
+TEST_F(GlTest, OverlaysAreDrawnOverTheDisplayedPictureOnly) {
+  Scene scene = readScene(configsFolder() / "scenes" / "from_space.toml");
+  scene.picture.width = 320;
+  scene.picture.height = 180;
+  scene.quality = "draft";
+  scene.bodies = {"Sun", "Earth", "Moon"};
+  PictureRenderer renderer(greyMap);
+  std::string const when = "2027-08-02T08:40:00Z";
+  Drawn const plain = draw(scene, when, renderer);
+  scene.overlays.centralLine = true;
+  scene.overlays.lineWidth = 2.0;
+  Drawn const lined = draw(scene, when, renderer);
+  EXPECT_EQ(plain.picture.linear, lined.picture.linear);
+  // Greatest eclipse at 25.5030 N 33.1829 E (Espenak & Meeus give 25.5 N 33.2 E); a pixel is 60 km.
+  testsupport::GlobeView view{8.0, 12.0, 12e6};
+  view.width = 320;
+  view.pixelsHigh = 180;
+  view.fieldDegrees = 78.0;
+  glm::dvec2 const at = *view.pixel(25.503, 33.183);
+  int changed = 0;
+  double nearest = 1e9;
+  for (int y = 0; y < 180; ++y)
+    for (int x = 0; x < 320; ++x) {
+      auto const i = static_cast<std::size_t>(3 * (y * 320 + x));
+      int const more = lined.picture.srgb[i] - plain.picture.srgb[i];
+      if (more < 60) continue;  // the line is red and bright
+      ++changed;
+      nearest = std::min(nearest, glm::length(glm::dvec2(x + 0.5, y + 0.5) - at));
+    }
+  EXPECT_LT(nearest, 1.0);
+  EXPECT_GT(changed, 100);
+  EXPECT_LT(changed, 1200);
 }
 
 }  // namespace
