@@ -9,8 +9,8 @@
 #include "document/input_error.h"
 #include "document/paths.h"
 #include "tests/support/gl_fixture.h"
-#include "tests/support/ground_window.h"
 #include "tests/support/globe_view.h"
+#include "tests/support/ground_window.h"
 
 namespace antumbra {
 namespace {
