@@ -233,8 +233,10 @@ vec4 illustration(vec3 position, float footprint) {
     float umbra = umbraRadiusAt(pair, place);
     float penumbra = penumbraRadiusAt(pair, place);
     if (place.distance > penumbra + footprint || pair.casterBehind + place.along < 0.0) continue;
-    // A step of the footprint along the ground crosses the cone by less where the Sun is low.
+    // The cones go on through the body, but on its night side there is no shadow.
     vec3 outward = normalize(vec3(position.xy, position.z / shadowScale.x));
+    if (dot(outward, bodyTrueSun.xyz) < -bodyTrueSun.w) continue;
+    // A step of the footprint along the ground crosses the cone by less where the Sun is low.
     vec3 across = place.away + pair.axis * (umbra > 0.0 ? pair.umbraTangent : -pair.umbraTangent);
     float step_ = footprint * length(across - outward * dot(outward, across));
     float inPenumbra = clamp(0.5 + (penumbra - place.distance) / step_, 0.0, 1.0);
