@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/eclipse_at_lunar.h"
 #include "app/eclipse_options.h"
 #include "document/text_output.h"
 #include "eclipse/local_circumstances.h"
@@ -11,21 +12,20 @@
 namespace antumbra {
 namespace {
 
-struct Options {
-  std::string date, site, format = "table", output;
-  EclipseOptions shared;
+struct Options : DatedEclipseOptions {
+  std::string site;
 };
 
 using Json = nlohmann::ordered_json;
 
-double rounded(double value, int decimals) {
-  double const scale = std::pow(10.0, decimals);
-  double const r = std::round(value * scale) / scale;
-  return r == 0.0 ? 0.0 : r;
+Json siteJson(const Site& site) {
+  return {{"lat_deg", rounded(site.latitude / degree, 6)},
+          {"lon_deg_east", rounded(site.longitude / degree, 6)},
+          {"height_m", rounded(site.height / metre, 3)}};
 }
 
-Json report(const SolarEvent& event, const EclipseBasis& basis, const Site& site,
-            const LocalCircumstances& local) {
+Json solarReport(const SolarEvent& event, const EclipseBasis& basis,
+                 const LocalCircumstances& local) {
   Duration const deltaT = event.eclipse.deltaT;
   std::vector<std::pair<std::string, const std::optional<LocalContact>*>> const contacts{
       {"C1", &local.c1},
@@ -36,6 +36,7 @@ Json report(const SolarEvent& event, const EclipseBasis& basis, const Site& site
   Json j;
   j["ecl_id"] = event.eclipse.id;
   j["type"] = local.type;
+  j["kind"] = "solar";
   j["convention"] = basis.convention.name;
   j["delta_t_s"] = rounded(deltaT / second, 3);
   Json times, details, below = Json::array();
@@ -67,9 +68,6 @@ Json report(const SolarEvent& event, const EclipseBasis& basis, const Site& site
                        {"magnitude", rounded(e.magnitude, 6)}});
   j["sunrise_sunset"] = horizon;
   j["details"] = details;
-  j["site"] = {{"lat_deg", rounded(site.latitude / degree, 6)},
-               {"lon_deg_east", rounded(site.longitude / degree, 6)},
-               {"height_m", rounded(site.height / metre, 3)}};
   j["global_type"] = event.eclipse.type;
   j["saros"] = event.eclipse.saros;
   j["constants"] = {{"sun_radius_km", rounded(basis.convention.sunRadius / kilometre, 1)},
@@ -79,7 +77,7 @@ Json report(const SolarEvent& event, const EclipseBasis& basis, const Site& site
   return j;
 }
 
-std::string tableOf(const Json& j, const std::string& basis) {
+std::string solarTable(const Json& j, const std::string& basis) {
   std::string out =
       fmt::format("Solar eclipse of {} at {}, {} ({} m): {}\n{}\n", j["ecl_id"].get<std::string>(),
                   j["site"]["lat_deg"].dump(), j["site"]["lon_deg_east"].dump(),
@@ -110,28 +108,28 @@ std::string tableOf(const Json& j, const std::string& basis) {
 void at(const Options& options) {
   EclipseBasis const basis = options.shared.basis();
   Site const site = parseSite(options.site, "--site");
-  SolarEvent const event = solarEventOn(basis, options.date, "DATE");
-  Json const j = report(event, basis, site, localCircumstances(event, basis.radii(), site));
-  writeTextFile(options.output,
-                options.format == "json" ? j.dump(2) + "\n" : tableOf(j, describe(basis)));
+  auto const event = eclipseOn(basis, options.date, "DATE");
+  auto const* solar = std::get_if<SolarEvent>(&event);
+  Json j = solar ? solarReport(*solar, basis, localCircumstances(*solar, basis.radii(), site))
+                 : lunarReport(std::get<LunarEvent>(event), basis, site);
+  j["site"] = siteJson(site);
+  writeTextFile(options.output, options.format == "json" ? j.dump(2) + "\n"
+                                : solar                  ? solarTable(j, describe(basis))
+                                                         : lunarTable(j, describe(basis)));
 }
 
 }  // namespace
 
 void addEclipseAt(CLI::App& eclipse) {
-  auto* const command = eclipse.add_subcommand("at", "a solar eclipse seen from one place");
+  auto* const command =
+      eclipse.add_subcommand("at", "a solar or lunar eclipse seen from one place");
   auto options = std::make_shared<Options>();
-  command->add_option("date", options->date, "date of greatest eclipse (TT), YYYY-MM-DD")
-      ->required();
   command->add_option("--site", options->site, "LAT,LON,HEIGHT: degrees, degrees east, metres")
       ->required();
-  command->add_option("--format", options->format)
-      ->check(CLI::IsMember({"table", "json"}))
-      ->capture_default_str();
-  command->add_option("-o,--output", options->output, "file instead of standard output");
-  options->shared.addTo(*command);
+  options->addTo(*command, {"table", "json"});
   command->footer(
-      "Example:\n  antumbra eclipse at 2027-08-02 --site=25.687,32.640,76 --format json");
+      "Examples:\n  antumbra eclipse at 2027-08-02 --site=25.687,32.640,76 --format json\n"
+      "  antumbra eclipse at 2028-12-31 --site=47.4,8.5,400    (lunar)");
   command->callback([options] { at(*options); });
 }
 

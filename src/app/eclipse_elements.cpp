@@ -10,12 +10,7 @@
 namespace antumbra {
 namespace {
 
-struct Options {
-  std::string date, format = "table", output;
-  EclipseOptions shared;
-};
-
-void elements(const Options& options) {
+void elements(const DatedEclipseOptions& options) {
   EclipseBasis const basis = options.shared.basis();
   SolarEvent const event = solarEventOn(basis, options.date, "DATE");
   BesselianPolynomials const p = besselianPolynomials(event, basis.radii());
@@ -60,14 +55,8 @@ void elements(const Options& options) {
 
 void addEclipseElements(CLI::App& eclipse) {
   auto* const command = eclipse.add_subcommand("elements", "Besselian elements as polynomials");
-  auto options = std::make_shared<Options>();
-  command->add_option("date", options->date, "date of greatest eclipse (TT), YYYY-MM-DD")
-      ->required();
-  command->add_option("--format", options->format)
-      ->check(CLI::IsMember({"table", "json"}))
-      ->capture_default_str();
-  command->add_option("-o,--output", options->output, "file instead of standard output");
-  options->shared.addTo(*command);
+  auto options = std::make_shared<DatedEclipseOptions>();
+  options->addTo(*command, {"table", "json"});
   command->footer("Example:\n  antumbra eclipse elements 2027-08-02");
   command->callback([options] { elements(*options); });
 }

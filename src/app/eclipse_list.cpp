@@ -128,7 +128,15 @@ Progress progressLine(const std::string& what) {
   };
 }
 
+// Calendars of far years would overflow; the theories say themselves how far they reach.
+void requireYear(const char* name, long year) {
+  if (year < -20000 || year > 20000)
+    throw InputError(fmt::format("{}: found {}; allowed: years -20000 to 20000", name, year));
+}
+
 void list(const Options& options) {
+  requireYear("--from", options.from);
+  requireYear("--to", options.to);
   if (options.to < options.from)
     throw InputError(
         fmt::format("--to: found {}, which is before --from {}", options.to, options.from));

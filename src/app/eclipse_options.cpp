@@ -36,6 +36,14 @@ void EclipseOptions::addTo(CLI::App& command) {
   command.add_option("--delta-t", deltaT, "TT - UT1 in seconds, for every date");
 }
 
+void DatedEclipseOptions::addTo(CLI::App& command, const std::vector<std::string>& formats) {
+  command.add_option("date", date, "date of greatest eclipse (TT), YYYY-MM-DD")->required();
+  format = formats.front();
+  command.add_option("--format", format)->check(CLI::IsMember(formats))->capture_default_str();
+  command.add_option("-o,--output", output, "file instead of standard output");
+  shared.addTo(command);
+}
+
 EclipseBasis EclipseOptions::basis() const {
   EclipseBasis basis;
   basis.convention = ShadowConvention::named(convention, "--convention");

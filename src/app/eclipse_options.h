@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "eclipse/eclipse_search.h"
 
@@ -16,6 +17,15 @@ struct EclipseOptions {
   void addTo(CLI::App& command);
   // Throws InputError naming the option.
   EclipseBasis basis() const;
+};
+
+// What a command about one eclipse takes: its date, how and where to write it, and the above.
+struct DatedEclipseOptions {
+  std::string date, format, output;
+  EclipseOptions shared;
+
+  // The first of `formats` is the default.
+  void addTo(CLI::App& command, const std::vector<std::string>& formats);
 };
 
 // "convention nasa: Sun 695989.8 km, Moon k 0.272281 (umbra) 0.272488 (penumbra), ..."

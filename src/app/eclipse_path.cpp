@@ -12,9 +12,8 @@
 namespace antumbra {
 namespace {
 
-struct Options {
-  std::string date, step = "5min", format = "csv", width = "limits", output;
-  EclipseOptions shared;
+struct Options : DatedEclipseOptions {
+  std::string step = "5min", width = "limits";
 };
 
 using Json = nlohmann::ordered_json;
@@ -168,8 +167,6 @@ void path(const Options& options) {
 void addEclipsePath(CLI::App& eclipse) {
   auto* const command = eclipse.add_subcommand("path", "the central line and its limits");
   auto options = std::make_shared<Options>();
-  command->add_option("date", options->date, "date of greatest eclipse (TT), YYYY-MM-DD")
-      ->required();
   command->add_option("--step", options->step, "between instants at whole steps of TT")
       ->capture_default_str();
   command
@@ -177,11 +174,7 @@ void addEclipsePath(CLI::App& eclipse) {
                    "limits: between the limits along the ground; canon: the canons' formula")
       ->check(CLI::IsMember({"limits", "canon"}))
       ->capture_default_str();
-  command->add_option("--format", options->format)
-      ->check(CLI::IsMember({"csv", "json", "table", "geojson", "kml"}))
-      ->capture_default_str();
-  command->add_option("-o,--output", options->output, "file instead of standard output");
-  options->shared.addTo(*command);
+  options->addTo(*command, {"csv", "json", "table", "geojson", "kml"});
   command->footer(
       "Example:\n  antumbra eclipse path 2027-08-02 --step 5min --format kml -o path.kml");
   command->callback([options] { path(*options); });

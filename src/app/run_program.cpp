@@ -12,14 +12,47 @@
 namespace antumbra {
 namespace {
 
-void requireKnownCommand(const CLI::App& program, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return;
+// Refuses a command, or a command of a command, that does not exist.
+void requireKnownCommand(const CLI::App& program, int argc, char** argv, int at = 1) {
+  auto const commands = program.get_subcommands(nullptr);
+  if (argc <= at || argv[at][0] == '-' || commands.empty()) return;
   std::string known;
-  for (const CLI::App* command : program.get_subcommands(nullptr)) {
-    if (command->check_name(argv[1])) return;
+  for (const CLI::App* command : commands) {
+    if (command->check_name(argv[at])) return requireKnownCommand(*command, argc, argv, at + 1);
     known += (known.empty() ? "" : ", ") + command->get_name();
   }
-  throw InputError(fmt::format("found the command \"{}\"; allowed: {}", argv[1], known));
+  throw InputError(fmt::format("found the command \"{}\"; allowed: {}", argv[at], known));
+}
+
+// The command whose options were being read.
+const CLI::App& innermost(const CLI::App& program) {
+  auto const parsed = program.get_subcommands();
+  return parsed.empty() ? program : innermost(*parsed.front());
+}
+
+// What the option parser's own messages leave out: what is allowed.
+std::string explained(const CLI::App& program, const CLI::ParseError& error) {
+  std::string const message = error.what();
+  auto const options = innermost(program).get_options();
+  if (dynamic_cast<const CLI::ConversionError*>(&error)) {
+    for (const CLI::Option* option : options) {
+      auto const start = message.find(option->get_name() + " = ");
+      if (option->get_name().empty() || start == std::string::npos) continue;
+      std::string const type = option->get_type_name();
+      return fmt::format("{}: found \"{}\"; allowed: {}", option->get_name(),
+                         message.substr(start + option->get_name().size() + 3),
+                         type == "INT"    ? "a whole number"
+                         : type == "UINT" ? "a whole number, not negative"
+                                          : "a number");
+    }
+  }
+  if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
+    std::string known;
+    for (const CLI::Option* option : options)
+      known += (known.empty() ? "" : ", ") + option->get_name();
+    return fmt::format("{}; allowed: {}", message, known);
+  }
+  return message;
 }
 
 }  // namespace
@@ -35,7 +68,10 @@ int runProgram(CLI::App& program, int argc, char** argv) {
       throw std::runtime_error("standard output cannot be written");
     return 0;
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? 0 : 2;
+    if (error.get_exit_code() == 0) return program.exit(error);
+    fmt::print(stderr, "{}: {}\nRun with --help for more information.\n", program.get_name(),
+               explained(program, error));
+    return 2;
   } catch (const InputError& error) {
     say(error);
     return 2;

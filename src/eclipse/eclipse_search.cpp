@@ -66,10 +66,15 @@ auto allIn(const EclipseBasis& basis, Instant from, Instant to, const Progress& 
 }
 
 template <class Event>
-Event eventOn(const EclipseBasis& basis, const std::string& id, const std::string& where) {
-  Instant const start = startOfDate(id, where);
+std::optional<Event> findOn(const EclipseBasis& basis, const std::string& id, Instant start) {
   for (auto const& syzygy : eclipseCandidates(kKindOf<Event>, start - 1.0 * day, start + 2.0 * day))
-    if (auto event = eventAt<Event>(basis, syzygy); event && event->eclipse.id == id) return *event;
+    if (auto event = eventAt<Event>(basis, syzygy); event && event->eclipse.id == id) return event;
+  return std::nullopt;
+}
+
+// "2027-08-02 and 2028-01-26": the eclipses before and after a day.
+template <class Event>
+std::string nearestTo(const EclipseBasis& basis, Instant start) {
   std::string nearest;
   for (int side = 0; side < 2; ++side) {
     auto const candidates = side == 0
@@ -82,9 +87,16 @@ Event eventOn(const EclipseBasis& basis, const std::string& id, const std::strin
     }
     if (!found.empty()) nearest += (nearest.empty() ? "" : " and ") + found;
   }
+  return nearest;
+}
+
+template <class Event>
+Event eventOn(const EclipseBasis& basis, const std::string& id, const std::string& where) {
+  Instant const start = startOfDate(id, where);
+  if (auto event = findOn<Event>(basis, id, start)) return *event;
   throw InputError(fmt::format("{}: no {} eclipse on {} (TT); the nearest are {}", where,
                                kKindOf<Event> == EclipseKind::Solar ? "solar" : "lunar", id,
-                               nearest));
+                               nearestTo<Event>(basis, start)));
 }
 
 }  // namespace
@@ -115,6 +127,16 @@ SolarEvent solarEventOn(const EclipseBasis& basis, const std::string& id,
 LunarEvent lunarEventOn(const EclipseBasis& basis, const std::string& id,
                         const std::string& where) {
   return eventOn<LunarEvent>(basis, id, where);
+}
+
+std::variant<SolarEvent, LunarEvent> eclipseOn(const EclipseBasis& basis, const std::string& id,
+                                               const std::string& where) {
+  Instant const start = startOfDate(id, where);
+  if (auto solar = findOn<SolarEvent>(basis, id, start)) return *solar;
+  if (auto lunar = findOn<LunarEvent>(basis, id, start)) return *lunar;
+  throw InputError(
+      fmt::format("{}: no eclipse on {} (TT); the nearest are {} (solar) and {} (lunar)", where, id,
+                  nearestTo<SolarEvent>(basis, start), nearestTo<LunarEvent>(basis, start)));
 }
 
 Instant startOfYear(long year) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "eclipse/lunar_circumstances.h"
@@ -46,6 +47,9 @@ std::vector<LunarEclipse> lunarEclipses(const EclipseBasis& basis, Instant from,
 // the nearest eclipse before and after if there is none.
 SolarEvent solarEventOn(const EclipseBasis& basis, const std::string& id, const std::string& where);
 LunarEvent lunarEventOn(const EclipseBasis& basis, const std::string& id, const std::string& where);
+// Of either kind.
+std::variant<SolarEvent, LunarEvent> eclipseOn(const EclipseBasis& basis, const std::string& id,
+                                               const std::string& where);
 
 // First instant of a calendar year, and of a date written "2027-08-02" or "-0584-05-28".
 Instant startOfYear(long year);

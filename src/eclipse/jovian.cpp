@@ -130,16 +130,22 @@ std::vector<JovianEvent> jovianEvents(const EclipseBasis& basis, Instant from, I
   std::vector<JovianEvent> events;
   double done = 0.0;
   for (auto const& moon : kMoons) {
-    // Light takes 33 to 54 minutes; a margin on both sides, cut off afterwards. Steps of the period
-    // as seen from the Sun, each starting where the last event was.
+    // Light takes 33 to 54 minutes; a revolution more on both sides, cut off afterwards. Steps of
+    // the period as seen from the Sun, each starting where the last event was.
     double const synodic = 1.0 / (1.0 / moon.periodDays - 1.0 / 4332.589);
     for (bool const shadow : {true, false}) {
-      Instant t = from - 1.0 * hour;
-      JovianSky const sky(*basis.ephemeris, moon.body, t);
+      // An hour in, for what is seen at the very start of a theory has left the moons before it.
+      JovianSky const sky(*basis.ephemeris, moon.body, from + 1.0 * hour);
       double const phase = std::remainder((shadow ? 0.0 : M_PI) - sky.at(0.0).phase, 2.0 * M_PI);
-      t = t + phase / (2.0 * M_PI) * synodic * day;
+      Instant t = from + (phase / (2.0 * M_PI) - 1.0) * synodic * day;
       for (; t < to + synodic * day; t = t + synodic * day) {
-        auto event = eventNear(basis, moon, t, shadow);
+        std::optional<JovianEvent> event;
+        try {
+          event = eventNear(basis, moon, t, shadow);
+        } catch (const SpanError&) {
+          // Steps reach a revolution beyond what is asked for; the moons' theory may end there.
+          if (t > from + 1.0 * day && t < to - 1.0 * day) throw;
+        }
         if (progress) progress(std::min(done + 0.125 * ((t - from) / (to - from)), 1.0));
         if (!event) continue;
         t = event->middle;

@@ -29,7 +29,8 @@ struct JovianEvent {
 };
 
 // Events whose middle is seen from the Earth in [from, to), in order of their middles. Throws
-// SpanError outside the span of the moons' theory.
+// SpanError outside the span of the moons' theory; events of its first and last hours, of which it
+// holds only a part, are left out.
 std::vector<JovianEvent> jovianEvents(const EclipseBasis& basis, Instant from, Instant to,
                                       const Progress& progress = {});
 

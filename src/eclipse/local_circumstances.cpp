@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "eclipse/horizon_crossings.h"
+
 namespace antumbra {
 namespace {
 
@@ -115,29 +117,19 @@ LocalCircumstances localCircumstances(const SolarEvent& event, const ShadowRadii
   local.magnitude = local.type == "P" ? seen.coveredDiameter() : seen.diameterRatio();
   local.obscuration = seen.coveredArea();
 
-  // Sunrise and sunset between first and fourth contact.
-  auto const height = [&](double t) {
-    return (solarAppearance(track, radii, site, t).sun.altitude - kRiseSetAltitude) / radian;
-  };
-  constexpr int kPieces = 24;
-  double before = first, heightBefore = height(first);
-  bool everUp = heightBefore > 0.0;
-  for (int i = 1; i <= kPieces; ++i) {
-    double const t = first + (fourth - first) * i / kPieces;
-    double const h = height(t);
-    everUp = everUp || h > 0.0;
-    if ((h > 0.0) != (heightBefore > 0.0)) {
-      double const crossing = rootNear(height, before, t);
-      auto const then = solarAppearance(track, radii, site, crossing);
-      local.horizonEvents.push_back({h > 0.0 ? "sunrise" : "sunset", track.instantAt(crossing),
-                                     std::max(then.coveredDiameter(), 0.0)});
-    }
-    before = t;
-    heightBefore = h;
+  auto const horizon = horizonCrossings(
+      [&](double t) {
+        return (solarAppearance(track, radii, site, t).sun.altitude - kRiseSetAltitude) / radian;
+      },
+      first, fourth);
+  for (auto const& c : horizon.crossings) {
+    auto const then = solarAppearance(track, radii, site, c.seconds);
+    local.horizonEvents.push_back({c.rises ? "sunrise" : "sunset", track.instantAt(c.seconds),
+                                   std::max(then.coveredDiameter(), 0.0)});
   }
-  bool const allUp = local.c1->aboveHorizon && local.c4->aboveHorizon &&
-                     local.maximum->aboveHorizon && local.horizonEvents.empty();
-  local.visibility = std::string(allUp ? "visible" : (everUp ? "partly visible" : "below horizon"));
+  bool const allUp =
+      local.c1->aboveHorizon && local.c4->aboveHorizon && local.maximum->aboveHorizon;
+  local.visibility = horizon.visibility(allUp);
   return local;
 }
 

@@ -39,6 +39,14 @@ class CommandLine(unittest.TestCase):
         left = [p.name for p in self.path.iterdir() if p.suffix != ".toml"]
         self.assertEqual(left, [])
 
+    def test_option_messages_say_what_is_allowed(self):
+        years = ["eclipse", "list", "--to", "2000", "--from"]
+        self.refused([*years, "abc"], "--from", '"abc"', "a whole number")
+        self.refused([*years, "2000.5"], '"2000.5"', "a whole number")
+        self.refused([*years, "2000", "--kind", "x"], "--kind", "solar", "jovian")
+        self.refused(["eclipse", "foo"], '"foo"', "list, at, path, map, elements")
+        self.refused([*years, "2000", "--form", "csv"], "--form", "allowed: ", "--format")
+
     def test_explains_without_drawing(self):
         result = run("render", str(SCENES / "luxor_dome.toml"), "--explain")
         self.assertEqual(result.returncode, 0, result.stderr)

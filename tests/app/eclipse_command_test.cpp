@@ -80,6 +80,31 @@ TEST(EclipseCommand, MarksContactsBelowTheHorizon) {
   EXPECT_GT(j["sunrise_sunset"][0]["magnitude"].get<double>(), 0.4);
 }
 
+TEST(EclipseCommand, AtAnswersForLunarEclipses) {
+  auto const j = nlohmann::json::parse(
+      runToFile({"at", "2026-03-03", "--site=40,-100,300", "--format", "json"}));
+  EXPECT_EQ(j["kind"], "lunar");
+  EXPECT_EQ(j["type"], "T");
+  EXPECT_EQ(j["visibility"], "partly visible");
+  EXPECT_THAT(j["contacts_ut1"]["U2"].get<std::string>(), testing::StartsWith("2026-03-03T11:04"));
+  EXPECT_EQ(j["below_horizon"].dump(), "[\"U4\",\"P4\"]");
+  EXPECT_EQ(j["moonrise_moonset"][0]["event"], "moonset");
+  std::string const table = runToFile({"at", "2026-03-03", "--site=40,-100,300"});
+  EXPECT_THAT(table, testing::HasSubstr("total"));
+  EXPECT_THAT(table, testing::HasSubstr("below the horizon"));
+  auto const penumbral =
+      nlohmann::json::parse(runToFile({"at", "2027-02-20", "--site=0,0,0", "--format", "json"}));
+  EXPECT_TRUE(penumbral["contacts_ut1"]["U1"].is_null());
+  EXPECT_TRUE(penumbral["total_duration_s"].is_null());
+}
+
+TEST(EclipseCommand, ListsTheGalileanMoonsToTheEndsOfTheirTheory) {
+  for (const char* year : {"1900", "2099"})
+    EXPECT_THAT(
+        runToFile({"list", "--kind", "jovian", "--from", year, "--to", year, "--format", "csv"}),
+        testing::HasSubstr("-Ganymede-shadow"));
+}
+
 TEST(EclipseCommand, PathHasExactlyTheDocumentedColumns) {
   std::string const csv = runToFile({"path", "2027-08-02", "--step", "30min"});
   EXPECT_EQ(firstLine(csv),
@@ -108,7 +133,12 @@ TEST(EclipseCommand, ExplainsBadInput) {
     return std::string("no error");
   };
   EXPECT_THAT(message({"at", "2027-08-03", "--site=1,2,3"}), testing::HasSubstr("2027-08-02"));
+  EXPECT_THAT(message({"at", "2027-08-03", "--site=1,2,3"}), testing::HasSubstr("2027-08-17"));
+  EXPECT_THAT(message({"at", "2027-8-3", "--site=1,2,3"}), testing::HasSubstr("YYYY-MM-DD"));
+  EXPECT_THAT(message({"at", "5000-01-01", "--site=1,2,3"}), testing::HasSubstr("allowed: -3000"));
   EXPECT_THAT(message({"at", "2027-08-02", "--site=95,2,3"}), testing::HasSubstr("--site"));
+  EXPECT_THAT(message({"at", "2027-08-02", "--site=5,361,3"}), testing::HasSubstr("-180 to 360"));
+  EXPECT_THAT(message({"at", "2027-08-02", "--site=5"}), testing::HasSubstr("LAT,LON,HEIGHT"));
   EXPECT_THAT(message({"path", "2025-03-29"}), testing::HasSubstr("partial"));
   EXPECT_THAT(message({"path", "2027-08-02", "--step", "0min"}), testing::HasSubstr("--step"));
   EXPECT_THAT(message({"path", "2027-08-02", "--convention", "own"}),
@@ -119,6 +149,10 @@ TEST(EclipseCommand, ExplainsBadInput) {
   EXPECT_THAT(message({"map", "2027-08-02"}), testing::HasSubstr(".svg"));
   EXPECT_THAT(message({"list", "--from", "4000", "--to", "4001"}), testing::HasSubstr("3000"));
   EXPECT_THAT(message({"list", "--from", "2000", "--to", "1999"}), testing::HasSubstr("--to"));
+  EXPECT_THAT(message({"list", "--from", "1990000000", "--to", "1990000001"}),
+              testing::HasSubstr("--from"));
+  EXPECT_THAT(message({"list", "--kind", "jovian", "--from", "1850", "--to", "1850"}),
+              testing::HasSubstr("allowed: 1900-01-01"));
 }
 
 }  // namespace
