@@ -19,7 +19,7 @@ out vec4 ink;
 // sRGB as displayed; w: the most that a cone covers of what lies behind it.
 const vec4 kUmbra = vec4(0.40, 0.47, 0.95, 0.80);
 const vec4 kAntumbra = vec4(0.98, 0.60, 0.24, 0.80);
-const vec4 kPenumbra = vec4(0.70, 0.78, 0.92, 0.55);
+const vec4 kPenumbra = vec4(0.55, 0.66, 0.94, 0.42);
 
 // Premultiplied colour and cover, the cone on top of `under`. Cover grows slowly with depth: from the
 // side a cone is clear (depth 2 through its axis: half of its most), from inside, where depths run to

@@ -68,7 +68,10 @@ std::vector<glm::dvec2> common(std::vector<glm::dvec2> subject,
   return subject;
 }
 
-constexpr double kLetters = 0.85;  // of the picture's other words
+// In proportion to the picture's other words; a dome, seen from within, shows small things large.
+double lettersOf(const Projection& picture, double textSize) {
+  return (picture.kind == ProjectionKind::Fisheye ? 0.6 : 0.85) * textSize;
+}
 
 class Face {
  public:
@@ -77,7 +80,7 @@ class Face {
         now_(now),
         seconds_(eclipse.event.track.secondsAt(now)),
         deltaT_(DeltaT::fixed(eclipse.event.eclipse.deltaT)),
-        size_(kLetters * textSize) {
+        size_(lettersOf(scene.picture, textSize)) {
     drawing_.width = scene.picture.width;
     drawing_.height = scene.picture.height;
     std::tie(low_, high_) = clockPanel(scene.picture, textSize);
@@ -268,7 +271,7 @@ std::string phaseText(const SolarAppearance& seen) {
 }  // namespace
 
 std::pair<glm::dvec2, glm::dvec2> clockPanel(const Projection& picture, double textSize) {
-  double const size = kLetters * textSize;
+  double const size = lettersOf(picture, textSize);
   glm::dvec2 const panel(21.2 * size, 11.6 * size), corner(picture.width, picture.height);
   // In a dome above its lower rim, else in the lower right corner.
   glm::dvec2 const low = picture.kind == ProjectionKind::Fisheye
