@@ -264,6 +264,41 @@ TEST(SolarPrediction, BesselianElementsAgree) {
   EXPECT_LT(radii.largest(), 5.0);
 }
 
+// Three eclipses of five millennia hang on half a kilometre, a third of an arcsecond of the Moon:
+// on 0050-10-04 the penumbra just reaches the Earth, on -1577-03-30 the umbra does, and on
+// 0332-03-13 the antumbra just does not. Places of JPL DE431 decide as the series do.
+TEST(SolarPrediction, BorderCasesAreThoseOfDe431) {
+  EclipseBasis const basis;
+  std::map<std::string, std::string> const types{
+      {"0050-10-04", "P"}, {"-1577-03-30", "Tnc"}, {"0332-03-13", "P"}};
+  int rows = 0;
+  for (auto const& row : readCsv("tests/authorities/solar_border_cases.csv")) {
+    std::string const id = row.text("ecl_id");
+    auto const place = [&](const std::string& body) {
+      return 1e3 * glm::dvec3(row.number(body + "_x_km"), row.number(body + "_y_km"),
+                              row.number(body + "_z_km"));
+    };
+    SolarEvent const event = solarEventOn(basis, id, "test");
+    EXPECT_EQ(event.eclipse.type, types.at(id));
+    auto const truth = shadowPairMetres(place("sun"), place("moon"), basis.radii());
+    double const jd = row.number("jd_tt");
+    auto const ours = event.track.shadowAt(
+        event.track.secondsAt(Instant::fromTt({std::floor(jd), jd - std::floor(jd)})),
+        basis.radii());
+    EXPECT_LT(penumbraClearance(truth).metres, 0.0) << id;
+    EXPECT_LT(penumbraClearance(ours).metres, 0.0) << id;
+    EXPECT_EQ(umbraClearance(truth).metres < 0.0, types.at(id) == "Tnc") << id;
+    EXPECT_EQ(umbraClearance(ours).metres < 0.0, types.at(id) == "Tnc") << id;
+    std::printf("%s: penumbra %+.0f m (DE431 %+.0f m), umbra %+.0f m (DE431 %+.0f m)\n", id.c_str(),
+                penumbraClearance(ours).metres, penumbraClearance(truth).metres,
+                umbraClearance(ours).metres, umbraClearance(truth).metres);
+    // 0.4" of the Moon: the error of the series so long ago.
+    EXPECT_NEAR(umbraClearance(ours).metres, umbraClearance(truth).metres, 800.0) << id;
+    ++rows;
+  }
+  EXPECT_EQ(rows, 3);
+}
+
 // On 2044-02-28 the antumbra leaves the Earth to the right of the central line: annularity has no
 // limit there, though the cone comes out again on the night side, 1400 km on.
 TEST(SolarPrediction, ALimitBeyondTheTerminatorDoesNotExist) {
