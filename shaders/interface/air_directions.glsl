@@ -22,7 +22,13 @@ AirDirection airDirection(int index, float horizon) {
   d.down = zenithIndex < half_;
   vec4 node = zenithNodes[d.down ? zenithIndex : zenithIndex - half_];
   float span = d.down ? -1.0 - horizon : 1.0 - horizon;
-  d.cosine = clamp(horizon + span * node.x * node.x, -1.0, 1.0);
+  // In an eclipse the light comes from near the horizon.
+#ifdef WHOLE_TURN
+  float warped = node.x * node.x * node.x, slope = 3.0 * node.x * node.x;
+#else
+  float warped = node.x * node.x, slope = 2.0 * node.x;
+#endif
+  d.cosine = clamp(horizon + span * warped, -1.0, 1.0);
   d.sine = sqrt(max(1.0 - d.cosine * d.cosine, 0.0));
 #ifdef WHOLE_TURN
   const float turn = 2.0 * kPi;
@@ -30,6 +36,6 @@ AirDirection airDirection(int index, float horizon) {
   const float turn = kPi;
 #endif
   d.azimuth = (float(azimuthIndex) + 0.5) * turn / float(directionCount.y);
-  d.weight = abs(span) * 2.0 * node.x * node.y * 2.0 * kPi / float(directionCount.y);
+  d.weight = abs(span) * slope * node.y * 2.0 * kPi / float(directionCount.y);
   return d;
 }

@@ -1,6 +1,6 @@
 // Light scattered toward the camera along a ray through air. Per sample: the Sun's light through the
 // air above (and past what eclipses it) scattered once, and the light that has been scattered
-// before, from the source table. Compiled with AIR_SINGLE and/or AIR_SOURCE; with AIR_SEPARATE the
+// before, from the source table. Compiled with AIR_SINGLE, AIR_SOURCE or AIR_VOLUME; with AIR_SEPARATE the
 // peaked constituents' single scattering is kept apart without its phase function.
 //
 // Samples are Gauss-Legendre nodes in u with height = low + (high - low) u^3 along each leg: dense
@@ -19,6 +19,7 @@
 #define AIR_ECLIPSED
 #ifdef ECLIPSED_SOURCE
 #define AIR_ECLIPSED_SOURCE
+#include "interface/eclipsed_air.glsl"
 #endif
 #endif
 
@@ -134,6 +135,17 @@ vec4 depthOfWay(WayEnds ends, int layer) {
   return max(ends.starts * depthAt(ends.start, layer) + ends.lows * depthAt(ends.low, layer), vec4(0.0));
 }
 
+#ifdef AIR_VOLUME
+// Light scattered before in the direction in hand, averaged over the constituents by what each
+// scatters: the including program has it in a volume.
+struct VolumePlace {
+  vec3 at;
+  float slab;
+};
+VolumePlace volumePlace(vec3 where, float height);
+vec4 volumeLight(VolumePlace place, int layer);
+#endif
+
 #ifdef AIR_SOURCE
 // Radiance that has been scattered (or reflected by the ground) before, as the parts of it that meet
 // the moments 0, 1 and 2 of a phase function in one direction, 1/sr.
@@ -157,23 +169,22 @@ SourceParts sourcePartsAt(vec2 at, AirPoint p, float sense, float sunAlong, vec3
       f.x * f.z * textureLod(airSource, vec3(at, first + 4.0), 0.0) +
       (2.0 * f.x * f.x + f.z * f.z - 1.0) * textureLod(airSource, vec3(at, first + 5.0), 0.0);
 #ifdef AIR_ECLIPSED_SOURCE
-  EclipsedPlace place = eclipsedPlace(where, p.height);
 #ifdef ECLIPSED_HARMONICS
-  vec3 left = cross(normalize(where), eclipsedSun.xyz);
-  float sideways = place.side * dot(direction, left) / max(length(left), 1e-6);
-  vec4 even = parts.even * eclipsedQuantity(place, 0, layer);
-  vec4 one = even * (f.z * eclipsedQuantity(place, 2, layer) + f.x * eclipsedQuantity(place, 3, layer) +
-                     sideways * eclipsedQuantity(place, 4, layer));
-  vec4 two = even * ((1.5 * f.z * f.z - 0.5) * eclipsedQuantity(place, 5, layer) +
-                     f.x * f.z * eclipsedQuantity(place, 6, layer) +
-                     (f.x * f.x - sideways * sideways) * eclipsedQuantity(place, 7, layer) +
-                     sideways * f.z * eclipsedQuantity(place, 8, layer) +
-                     f.x * sideways * eclipsedQuantity(place, 9, layer));
-  parts.even = mix(parts.even, even, place.inside);
-  parts.first = mix(parts.first, one, place.inside);
-  parts.second = mix(parts.second, two, place.inside);
+  vec4 power = vec4(0.0);
+  vec4 even = max(parts.even, vec4(1e-30));
+  vec4 one = parts.first / even, two = parts.second / even;
+  for (int caster = 0; caster < ECLIPSED_SOURCE; ++caster) {
+    EclipsedPlace place = eclipsedPlace(caster, where, p.height);
+    EclipsedHarmonics held = eclipsedHarmonics(caster, place, where, direction, layer);
+    power += place.inside * eclipsedQuantity(caster, place, 0, layer);
+    one += place.inside * (held.first - parts.first / even);
+    two += place.inside * (held.second - parts.second / even);
+  }
+  parts.even *= exp2(power);
+  parts.first = parts.even * one;
+  parts.second = parts.even * two;
 #else
-  vec4 share = eclipsedShare(place, 0, layer);
+  vec4 share = eclipsedShare(where, p.height, 0, layer);
   parts.even *= share;
   parts.first *= share;
   parts.second *= share;
@@ -251,6 +262,9 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, bool sparse, vec4 befo
     float share = min(root * overHigh, kSparseReach);
 #endif
     vec3 where = placeOnLeg(ray, leg, p.fromLow);
+#ifdef AIR_VOLUME
+    VolumePlace inVolume = volumePlace(where, p.height);
+#endif
     for (int layer = 0; layer < AIR_LAYERS; ++layer) {
       vec4 depth = max(before[layer] - leg.sense * depthAt(viewPlace, layer), vec4(0.0));
       vec4 weight = distance * exp(-depth);
@@ -287,6 +301,12 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, bool sparse, vec4 befo
 #endif
 #ifdef AIR_SOURCE
       light.joint[layer] += weight * max(more, vec4(0.0));
+#endif
+#ifdef AIR_VOLUME
+      vec4 scatters = vec4(0.0);
+      for (int c = 0; c < AIR_CONSTITUENTS; ++c)
+        scatters += airScattering[layer * AIR_CONSTITUENTS + c] * d.of[c];
+      light.joint[layer] += weight * scatters * volumeLight(inVolume, layer);
 #endif
     }
   } while (++n < nodeCount.x);

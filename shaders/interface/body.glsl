@@ -186,9 +186,6 @@ SurfaceLight surfaceLight(vec3 normal, vec3 direction, float footprint) {
 #ifdef AIR
   vec2 sourcePlace_ = sourcePlaceOf(0.0, sunCosine);
 #endif
-#ifdef ECLIPSED_SOURCE
-  EclipsedPlace eclipsed = eclipsedPlace(position, 0.0);
-#endif
   float glint = 0.0;
 #ifdef WATER_MASK
   float water = textureLod(waterMask, place, lod).r;
@@ -207,7 +204,7 @@ SurfaceLight surfaceLight(vec3 normal, vec3 direction, float footprint) {
 #ifdef AIR
     vec4 diffuse = textureLod(airSource, vec3(sourcePlace_, float(layer * 7 + 6)), 0.0);
 #ifdef ECLIPSED_SOURCE
-    diffuse *= eclipsedShare(eclipsed, 1, layer);
+    diffuse *= eclipsedShare(position, 0.0, 1, layer);
 #endif
     light += diffuse;
 #endif

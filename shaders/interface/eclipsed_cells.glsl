@@ -1,44 +1,63 @@
-// The cells of the grid of eclipsed source light: their places about the shadow's axis.
+// The cells of the grid of eclipsed source light. Their sphere has the axes of a ShadowNode
+// (eclipse/shadow_nodes.h): z to the Sun, x from the centre to the shadow's axis.
+// With UNECLIPSED, cells for each of the Sun's zenith angles instead, without a shadow.
 struct EclipsedCell {
-  vec3 position;  // scaled space
+  vec3 position;
   vec3 up;
-  vec3 sunward;   // horizontal
-  vec3 side;      // up x sunward
+  vec3 forward;   // horizontal, from which azimuths count
+  vec3 side;      // up x forward
+  vec3 sun;
   float height;
   float sunCosine;
 };
 
-uniform ivec3 cellCount;  // distances, azimuths, heights
+uniform ivec3 cellCount;  // distances (or Sun's zenith angles), azimuths, heights
 
-// `index`: distance, azimuth, height.
+float cellHeight(int index) {
+  float z = float(index) / float(cellCount.z - 1);
+  // The topmost lie a little inside, for rays to have air to cross.
+  return airShape.y * min(z * z, 0.9999);
+}
+
+#ifdef UNECLIPSED
 EclipsedCell eclipsedCell(ivec3 index) {
-  AirShell shell = airShell();
-  vec3 place = vec3(index) / vec3(cellCount - 1);
   EclipsedCell cell;
-  cell.height = shell.top * min(place.z * place.z, 0.9999);
-  float distance = eclipsedAcross.w *
-                   sinh(place.x * inverseSinh(eclipsedSide.w / eclipsedAcross.w));
-  float angle = place.y * kPi;
-  ShadowPair pair = shadowPairs[0];
-  vec3 across = eclipsedAcross.xyz * cos(angle) + eclipsedSide.xyz * sin(angle);
-  vec3 toScaled = vec3(1.0, 1.0, 1.0 / shadowScale.x);
-  vec3 from = fromCasterSpace(pair, pair.foot + across * distance) * toScaled;
-  vec3 along = fromCasterSpace(pair, pair.axis) * toScaled;
-  // The sunlit crossing of the line parallel to the axis with the sphere at that height, or the
-  // point nearest to it.
-  float a = dot(along, along);
-  float b = dot(from, along);
-  float radius = shell.radius + cell.height;
-  float lengthFrom = length(from);
-  float c = (lengthFrom - radius) * (lengthFrom + radius);
-  float root = b * b - a * c;
-  cell.position = from + along * ((-b - sqrt(max(root, 0.0))) / a);
-  cell.up = normalize(cell.position);
-  cell.position = cell.up * radius;
-  cell.sunCosine = dot(cell.up, eclipsedSun.xyz);
-  vec3 level = eclipsedSun.xyz - cell.up * cell.sunCosine;
-  if (dot(level, level) < 1e-10) level = cross(cell.up, eclipsedSide.xyz);
-  cell.sunward = normalize(level);
-  cell.side = cross(cell.up, cell.sunward);
+  cell.height = cellHeight(index.z);
+  float x = float(index.x) / float(cellCount.x - 1);
+  cell.sunCosine = sourcePlace(airShell(), airShape.z, vec2(x, 0.0)).cosine;
+  cell.sun = vec3(sqrt(max(1.0 - cell.sunCosine * cell.sunCosine, 0.0)), 0.0, cell.sunCosine);
+  cell.up = vec3(0.0, 0.0, 1.0);
+  cell.forward = vec3(1.0, 0.0, 0.0);
+  cell.side = vec3(0.0, 1.0, 0.0);
+  cell.position = cell.up * (airShape.x + cell.height);
   return cell;
 }
+#else
+// `index`: distance, azimuth, height.
+EclipsedCell eclipsedCell(ivec3 index) {
+  EclipsedCell cell;
+  cell.height = cellHeight(index.z);
+  EclipsedAxis axis = eclipsedAxes[0];
+  float x = float(index.x) / float(cellCount.x - 1);
+  float scale = eclipsedShape.x, edge = eclipsedShape.z, umbra = max(axis.across.w, 0.0);
+  float distance = umbra * x / edge;
+  if (x > edge)
+    distance = umbra + scale * sinh((x - edge) / (1.0 - edge) *
+                                    inverseSinh((axis.side.w - umbra) / scale));
+  float angle = kPi * float(index.y) / float(cellCount.y - 1);
+  vec3 from = vec3(shadowPairs[0].foot.x + distance * cos(angle),
+                   dot(axis.side.xyz, vec3(0.0, 1.0, 0.0)) * distance * sin(angle), 0.0);
+  // The sunlit crossing of the line parallel to the axis with the sphere at that height, or the
+  // point nearest to it.
+  float radius = airShape.x + cell.height;
+  float across = length(from);
+  cell.up = normalize(vec3(from.xy, sqrt(max((radius - across) * (radius + across), 0.0))));
+  cell.position = cell.up * radius;
+  cell.sun = vec3(0.0, 0.0, 1.0);
+  cell.sunCosine = cell.up.z;
+  vec3 level = axis.forward.xyz - cell.up * dot(cell.up, axis.forward.xyz);
+  cell.forward = level * inversesqrt(max(dot(level, level), 1e-12));
+  cell.side = cross(cell.up, cell.forward);
+  return cell;
+}
+#endif

@@ -105,57 +105,5 @@ vec4 visibleSunlight(vec3 scaled, int layer) {
 #endif
   return light;
 }
-
-#ifdef ECLIPSED_SOURCE
-// Light that has been scattered before, inside the first caster's shadow: on a grid fixed to the
-// shadow's axis, x: distance from it, y: azimuth about it over half a turn (the other half mirrors
-// it), z: height; for each quantity and spectral layer. Computed by eclipsed_source.cpp.
-//   0   mean radiance over its value without the eclipse
-//   1   irradiance of the horizontal over its value without the eclipse
-//   2-9 harmonics over the mean radiance: z, x, y, (3 z^2 - 1)/2, x z, x^2 - y^2, y z, x y
-#define ECLIPSED_QUANTITIES 10
-layout(std140, binding = 9) uniform EclipsedSource {
-  vec4 eclipsedAcross;  // unit vector across the axis from the body's centre; w: scale of x, m
-  vec4 eclipsedSide;    // axis x across; w: outermost distance, m
-  vec4 eclipsedSun;     // scaled space: unit vector to the Sun; w: heights of the grid
-};
-layout(binding = 10) uniform sampler3D eclipsedSource;
-
-struct EclipsedPlace {
-  vec3 at;       // x, y as texture coordinates; z in [0, 1]
-  float side;    // -1 on the mirrored half
-  float inside;  // 1 within the grid, falling to 0 at its edge
-};
-
-float inverseSinh(float x) { return log(x + sqrt(x * x + 1.0)); }
-
-EclipsedPlace eclipsedPlace(vec3 scaled, float height) {
-  ShadowPlace place = placeInShadow(shadowPairs[0], scaled * vec3(1.0, 1.0, shadowScale.x));
-  float x = inverseSinh(place.distance / eclipsedAcross.w) /
-            inverseSinh(eclipsedSide.w / eclipsedAcross.w);
-  float sideways = dot(place.away, eclipsedSide.xyz);
-  float y = atan(abs(sideways), dot(place.away, eclipsedAcross.xyz)) / kPi;
-  ivec3 size = textureSize(eclipsedSource, 0);
-  EclipsedPlace found;
-  found.at = vec3((vec2(min(x, 1.0), y) * vec2(size.xy - 1) + 0.5) / vec2(size.xy),
-                  sqrt(clamp(height / airShape.y, 0.0, 1.0)));
-  found.side = sideways < 0.0 ? -1.0 : 1.0;
-  found.inside = 1.0 - smoothstep(0.9, 1.0, place.distance / eclipsedSide.w);
-  return found;
-}
-
-vec4 eclipsedQuantity(EclipsedPlace place, int quantity, int layer) {
-  float heights = eclipsedSun.w;
-  float z = (float(quantity * AIR_LAYERS + layer) * heights + 0.5 + place.at.z * (heights - 1.0)) /
-            float(textureSize(eclipsedSource, 0).z);
-  return textureLod(eclipsedSource, vec3(place.at.xy, z), 0.0);
-}
-
-// What is left of the mean radiance (quantity 0) or of the sky's irradiance (1).
-vec4 eclipsedShare(EclipsedPlace place, int quantity, int layer) {
-  vec4 share = mix(vec4(1.0), eclipsedQuantity(place, quantity, layer), place.inside);
-  return share;
-}
-#endif
 #endif
 #endif

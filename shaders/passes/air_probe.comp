@@ -46,7 +46,7 @@ void main() {
 #ifdef SHADOW_PAIRS
       vec3 where = ray.start + ray.direction * way.length;
       direct *= visibleSunlight(where, layer);
-      diffuse *= eclipsedShare(eclipsedPlace(where, 0.0), 1, layer);
+      diffuse *= eclipsedShare(where, 0.0, 1, layer);
 #endif
       sum += (direct + diffuse) * airGroundAlbedo[layer] / kPi * exp(-depthOfWay(ends, layer));
     }

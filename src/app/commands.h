@@ -15,5 +15,6 @@ void addEphemerisCommand(CLI::App& program);
 // `trade` has one subcommand per subject, each in a file of its own.
 void addTradeCommand(CLI::App& program);
 void addTradeEphemeris(CLI::App& trade);
+void addTradeTotality(CLI::App& trade);
 
 }  // namespace antumbra

@@ -9,9 +9,7 @@
 
 namespace antumbra {
 
-SkyAnswer byPreset(const std::string& preset, const SkyQuestion& question) {
-  gl::HeadlessContext const context;
-  gl::prepareContext();
+SkyRequest skyRequestOf(const SkyQuestion& question) {
   SkyRequest request;
   request.altitude = Length(glm::length(question.camera.m)) - question.medium.radius;
   glm::dvec3 const& sun = question.sun.toSun.u;
@@ -23,6 +21,13 @@ SkyAnswer byPreset(const std::string& preset, const SkyQuestion& question) {
   for (auto const& d : question.directions)
     request.directions.push_back(
         {arcTangent(std::hypot(d.u.x, d.u.y), d.u.z), arcTangent(d.u.y, d.u.x)});
+  return request;
+}
+
+SkyAnswer byPreset(const std::string& preset, const SkyQuestion& question) {
+  gl::HeadlessContext const context;
+  gl::prepareContext();
+  SkyRequest const request = skyRequestOf(question);
   AirQuality const quality = AirQuality::preset(preset);
   SkyAnswer answer;
   if (question.irradiance) {

@@ -10,6 +10,7 @@
 
 #include "atmosphere/path_tracer.h"
 #include "atmosphere/sunlight.h"
+#include "passes/sky_sampler.h"
 
 namespace antumbra {
 
@@ -34,6 +35,9 @@ struct SkyAnswer {
 using SkyProgress = std::function<void(double)>;
 using SkyMethod = std::function<SkyAnswer(const SkyQuestion&, const SkyProgress&)>;
 const std::map<std::string, SkyMethod>& skyMethods();
+
+// The question to the graphics device.
+SkyRequest skyRequestOf(const SkyQuestion& question);
 
 // One of the presets draft, balanced, accurate on the graphics device (sky_device_method.cpp).
 SkyAnswer byPreset(const std::string& preset, const SkyQuestion& question);

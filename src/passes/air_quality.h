@@ -10,25 +10,26 @@ namespace antumbra {
 struct AirQuality {
   int wavelengths = 4;  // a multiple of 4
   int orders = 5;       // in the source table, the rest as a geometric series; 0: single scattering
-  int depthWidth = 256;       // texels of the optical depth over zenith angle
-  int depthHeight = 64;       // and over height
-  int sourceWidth = 96;       // texels of the source over the Sun's zenith angle
-  int sourceHeight = 24;      // and over height
-  int zenithDirections = 16;  // directions over which radiance is averaged
-  int azimuthDirections = 8;  // in half a turn
-  int sourceSamples = 12;     // samples a leg, when the source is computed
-  int skySamples = 16;        // samples a leg, in the sky table
-  int viewSamples = 12;       // samples a leg, per pixel: limb, twilight
-  int groundSamples = 5;      // per pixel of sunlit ground seen through air
-  int skyWidth = 48;          // texels of the sky table over half a turn of azimuth
-  int skyHeight = 128;        // and over zenith angle
-  int eclipseDistances = 32;  // cells of the grid about a shadow's axis: distances from it,
-  int eclipseAzimuths = 9;    // azimuths in half a turn,
-  int eclipseHeights = 8;     // heights
-  int eclipseZeniths = 12;    // directions over which radiance is averaged there
-  int eclipseTurns = 16;      // in a whole turn
-  int eclipseSamples = 10;    // samples a part of a leg
-  int eclipseOrders = 6;      // of scattering
+  int depthWidth = 256;        // texels of the optical depth over zenith angle
+  int depthHeight = 64;        // and over height
+  int sourceWidth = 96;        // texels of the source over the Sun's zenith angle
+  int sourceHeight = 24;       // and over height
+  int zenithDirections = 16;   // directions over which radiance is averaged
+  int azimuthDirections = 8;   // in half a turn
+  int sourceSamples = 12;      // samples a leg, when the source is computed
+  int skySamples = 16;         // samples a leg, in the sky table
+  int viewSamples = 12;        // samples a leg, per pixel: limb, twilight
+  int groundSamples = 5;       // per pixel of sunlit ground seen through air
+  int skyWidth = 48;           // texels of the sky table over half a turn of azimuth
+  int skyHeight = 128;         // and over zenith angle
+  int eclipseDistances = 26;   // cells of the grid about a shadow's axis: distances from it,
+  int eclipseAzimuths = 7;     // azimuths in half a turn,
+  int eclipseHeights = 8;      // heights
+  int eclipseZeniths = 16;     // directions over which radiance is averaged there
+  int eclipseTurns = 10;       // in a whole turn
+  int eclipseSamples = 6;      // samples a part of a leg
+  int eclipseOrders = 4;       // of scattering
+  int eclipseSkySamples = 16;  // samples a part of a leg in the sky table
   // Throws InputError with file and line for unknown keys and values out of range.
   static AirQuality read(const Table& table);
   // configs/quality/<name>.toml

@@ -24,10 +24,12 @@ gl::Definitions definitionsOf(const AirTables& tables, const gl::Definitions& sh
 AirSky::AirSky(const AirTables& tables, const gl::Definitions& shadowDefinitions)
     : program_(
           gl::Program::compute("passes/air_sky.comp", definitionsOf(tables, shadowDefinitions))),
-      nodes_(tables.quality().skySamples),
+      nodes_(shadowDefinitions.empty() ? tables.quality().skySamples
+                                       : tables.quality().eclipseSkySamples),
       wholeTurn_(!shadowDefinitions.empty()) {
   auto const& q = tables.quality();
-  int const width = wholeTurn_ ? 2 * q.skyWidth : q.skyWidth;
+  // The same azimuths as in half a turn, so that nothing jumps where an eclipse begins.
+  int const width = wholeTurn_ ? 2 * q.skyWidth - 1 : q.skyWidth;
   joint_ = gl::Texture::layers(GL_RGBA32F, width, q.skyHeight, tables.layers());
   peaked_ = gl::Texture::layers(GL_RGBA32F, width, q.skyHeight,
                                 std::max(tables.layers() * tables.peakedCount(), 1));

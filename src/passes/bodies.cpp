@@ -209,6 +209,7 @@ void BodiesPass::prepare(const PlannedBody& body, const Projection& picture, con
       resident.shadows =
           std::make_unique<BodyShadows>(pairs, flat, look.law, s.wavelengths, Length(reach));
       resident.sky.reset();
+      resident.eclipsed.reset();
     } else {
       resident.shadows->update(pairs);
     }
@@ -232,9 +233,9 @@ void BodiesPass::prepare(const PlannedBody& body, const Projection& picture, con
       resident.eclipsed.reset();
     } else if (air) {
       if (!resident.eclipsed)
-        resident.eclipsed = std::make_unique<EclipsedSource>(*air, *resident.shadows, s.exact);
-      resident.eclipsed->update(*air, *resident.shadows, pairs.front(), resident.sun);
-      auto const more = EclipsedSource::definitions();
+        resident.eclipsed = std::make_unique<EclipsedSource>(*air, look.law, pairs.size());
+      resident.eclipsed->update(*air, pairs, flat);
+      auto const more = resident.eclipsed->definitions();
       shadowFlags.insert(shadowFlags.end(), more.begin(), more.end());
     }
   } else if (resident.shadows) {

@@ -28,7 +28,7 @@ class BodiesPass {
     LimbDarkeningLaw law = LimbDarkeningLaw::Hestroffer;
   };
   // `exact`: what belongs to an instant is computed for that very instant (off line); otherwise
-  // eclipsed light may be that of a slightly earlier one (live).
+  // the light of rings may be that of a slightly earlier one (live).
   BodiesPass(ImageSource images, const AirQuality& quality, bool exact = true);
   ~BodiesPass();
   BodiesPass(const BodiesPass&) = delete;

@@ -2,137 +2,100 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
-#include "passes/gauss_legendre.h"
+#include "eclipse/shadow_nodes.h"
 
 namespace antumbra {
 namespace {
 
-constexpr int kQuantities = 10;
-// How far the axis may move across the body, relative to the body's radius, and the umbra relative
-// to itself and the top of the air, before the grid is computed anew.
-constexpr double kAxisTolerance = 0.004;
-constexpr double kUmbraTolerance = 0.01;
-
-gl::Definitions with(const AirTables& tables, const BodyShadows& shadows,
-                     std::initializer_list<const char*> flags) {
-  auto d = tables.definitions();
-  auto const s = shadows.definitions();
-  d.insert(d.end(), s.begin(), s.end());
-  auto const e = EclipsedSource::definitions();
-  d.insert(d.end(), e.begin(), e.end());
-  for (const char* flag : flags) d.emplace_back(flag, "");
-  return d;
-}
+constexpr int kMostSlabs = 2048;        // least that OpenGL 4.5 grants a volume
+constexpr std::size_t kMostNodes = 64;  // kept; those longest unused go first
 
 }  // namespace
 
-EclipsedSource::EclipsedSource(const AirTables& tables, const BodyShadows& shadows, bool exact)
-    : baseProgram_(gl::Program::compute(
-          "precompute/eclipsed_radiance.comp",
-          with(tables, shadows,
-               {"AIR_SINGLE", "AIR_SOURCE", "UNECLIPSED", "AIR_CUTS", "WHOLE_TURN"}))),
-      firstProgram_(
-          gl::Program::compute("precompute/eclipsed_radiance.comp",
-                               with(tables, shadows, {"AIR_SINGLE", "AIR_CUTS", "WHOLE_TURN"}))),
-      nextProgram_(gl::Program::compute(
-          "precompute/eclipsed_radiance.comp",
-          with(tables, shadows, {"AIR_SOURCE", "ECLIPSED_HARMONICS", "AIR_CUTS", "WHOLE_TURN"}))),
-      moments_(gl::Program::compute("precompute/eclipsed_moments.comp",
-                                    with(tables, shadows, {"WHOLE_TURN"}))),
-      nodes_(tables.quality().eclipseSamples),
-      exact_(exact) {
+EclipsedSource::EclipsedSource(const AirTables& tables, LimbDarkeningLaw law, std::size_t casters,
+                               bool betweenNodes)
+    : law_(law),
+      betweenNodes_(betweenNodes),
+      mix_(gl::Program::compute("precompute/eclipsed_mix.comp")) {
   auto const& q = tables.quality();
-  int const layers = tables.layers();
-  auto const volume = [&] {
-    return gl::Texture::volume(GL_RGBA32F, q.eclipseDistances, q.eclipseAzimuths,
-                               q.eclipseHeights * kQuantities * layers);
-  };
-  grid_ = volume();
-  other_ = volume();
-  int const rows = q.eclipseAzimuths * q.eclipseHeights;
-  auto const cells = [&](int count) {
-    return gl::Texture::layers(GL_RGBA32F, q.eclipseDistances, rows, count);
-  };
-  radiances_ = cells(q.eclipseZeniths * q.eclipseTurns * layers);
-  base_ = cells(2 * layers);
-  first_ = cells(kQuantities * layers);
-  std::vector<glm::vec4> zeniths(64, glm::vec4(0.0f));
-  auto const half = gaussLegendre(q.eclipseZeniths / 2);
-  std::copy(half.begin(), half.end(), zeniths.begin());
-  zeniths_.write(std::span<const glm::vec4>(zeniths));
+  int const slabs = kEclipsedQuantities * tables.layers() * q.eclipseHeights;
+  casters_ = std::clamp(static_cast<int>(casters), 1, kMostSlabs / slabs);
+  grid_ = gl::Texture::volume(GL_RGBA32F, q.eclipseDistances, q.eclipseAzimuths, casters_ * slabs);
 }
 
-bool EclipsedSource::update(const AirTables& tables, const BodyShadows& shadows,
-                            const glsl::ShadowPair& pair, const glm::dvec3& sun) {
-  double const radius = tables.groundRadius().si;
-  double const away = glm::length(pair.foot);
-  glm::dvec3 across = away > 1.0 ? pair.foot / away : glm::dvec3(0.0, 0.0, 1.0);
-  across = glm::normalize(across - pair.axis * glm::dot(across, pair.axis));
-  glm::dvec3 const side = glm::cross(pair.axis, across);
-  struct Block {
-    glm::vec4 across, side, sun;
-  };
-  block_.write(
-      Block{glm::vec4(glm::vec3(across), static_cast<float>(0.6 * tables.top().si)),
-            glm::vec4(glm::vec3(side),
-                      static_cast<float>(1.02 * pair.penumbraRadius + 3.0 * tables.top().si)),
-            glm::vec4(glm::vec3(sun), static_cast<float>(tables.quality().eclipseHeights))});
-  double const slack = exact_ ? 0.0 : 1.0;
-  bool const near =
-      computed_ &&
-      std::fabs(away - glm::length(computedFor_.foot)) <= slack * kAxisTolerance * radius &&
-      std::fabs(pair.umbraRadius - computedFor_.umbraRadius) <=
-          slack * kUmbraTolerance * (std::fabs(computedFor_.umbraRadius) + tables.top().si) &&
-      std::fabs(pair.penumbraRadius - computedFor_.penumbraRadius) <=
-          slack * kUmbraTolerance * computedFor_.penumbraRadius;
-  if (near) return false;
-  computedFor_ = pair;
-  computed_ = true;
-  compute(tables, shadows);
-  return true;
+gl::Definitions EclipsedSource::definitions() const {
+  return {{"ECLIPSED_SOURCE", std::to_string(casters_)}};
 }
 
-void EclipsedSource::compute(const AirTables& tables, const BodyShadows& shadows) {
-  glFinish();
-  auto const start = std::chrono::steady_clock::now();
+const gl::Texture& EclipsedSource::node(const AirTables& tables, const Key& key,
+                                        const glsl::ShadowPair& pair) {
+  auto const found = nodes_.find(key);
+  if (found != nodes_.end()) {
+    found->second.lastUse = uses_;
+    return found->second.grid;
+  }
+  if (nodes_.size() >= kMostNodes)
+    nodes_.erase(std::min_element(nodes_.begin(), nodes_.end(), [](auto const& a, auto const& b) {
+      return a.second.lastUse < b.second.lastUse;
+    }));
+  if (!solver_) solver_ = std::make_unique<EclipsedSolver>(tables, law_, pair);
+  return (nodes_[key] = {solver_->solve(tables, pair), uses_}).grid;
+}
+
+int EclipsedSource::update(const AirTables& tables, const std::vector<glsl::ShadowPair>& pairs,
+                           double flattening) {
+  ++uses_;
+  ShadowLattice lattice;
+  lattice.umbraScale = 0.6 * tables.top();
   auto const& q = tables.quality();
-  glm::ivec2 const directions(q.eclipseZeniths, q.eclipseTurns);
-  glm::ivec3 const cells(q.eclipseDistances, q.eclipseAzimuths, q.eclipseHeights);
-  auto const groupsX = static_cast<GLuint>((cells.x + 7) / 8);
-  auto const groupsY = static_cast<GLuint>((cells.y * cells.z + 3) / 4);
-  tables.bind();
-  shadows.bind();
-  nodes_.bind();
-  zeniths_.bindUniform(4);
-  block_.bindUniform(9);
-  auto const pass = [&](const gl::Program& program, int stage) {
-    grid_.bind(10);
-    program.set("directionCount", directions).set("cellCount", cells).use();
-    radiances_.bindImage(0, GL_WRITE_ONLY);
-    glDispatchCompute(groupsX, groupsY, static_cast<GLuint>(directions.x * directions.y));
+  int computed = 0;
+  std::vector<glm::vec4> block;
+  for (int caster = 0; caster < casters_; ++caster) {
+    auto const& pair = pairs[static_cast<std::size_t>(caster)];
+    auto const axis = eclipsedAxisBlock(pair, flattening, tables);
+    block.insert(block.end(), {axis.across, axis.side, axis.forward});
+    Length const away = axisDistance(pair, flattening);
+    if (!betweenNodes_) nodes_.clear();
+    auto const nodes = betweenNodes_ ? shadowNodes(pair, away, tables.groundRadius(), lattice)
+                                     : std::vector<ShadowNode>{{{}, 1.0, shadowAlone(pair, away)}};
+    std::array<const gl::Texture*, 3> grids{};
+    glm::vec3 weights(0.0f);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      Key const key{{pair.sunRadius, pair.casterRadius}, nodes[i].key};
+      bool const missing = !nodes_.count(key);
+      auto const start = std::chrono::steady_clock::now();
+      if (missing) glFinish();
+      grids[i] = &node(tables, key, nodes[i].pair);
+      weights[static_cast<int>(i)] = static_cast<float>(nodes[i].weight);
+      if (!missing) continue;
+      glFinish();
+      seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      ++computed;
+    }
+    int const slabs = kEclipsedQuantities * tables.layers() * q.eclipseHeights;
+    for (std::size_t i = 0; i < 3; ++i)
+      (i < nodes.size() ? grids[i] : grids[0])->bind(static_cast<int>(i));
+    mix_.set("weights", weights).set("firstSlab", caster * slabs).use();
+    grid_.bindImage(0, GL_WRITE_ONLY);
+    glDispatchCompute(static_cast<GLuint>((q.eclipseDistances + 7) / 8),
+                      static_cast<GLuint>((q.eclipseAzimuths + 3) / 4), static_cast<GLuint>(slabs));
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
-    moments_.set("directionCount", directions).set("cellCount", cells).set("stage", stage).use();
-    radiances_.bindImage(0, GL_READ_ONLY);
-    base_.bindImage(1, GL_READ_WRITE);
-    first_.bindImage(2, GL_READ_WRITE);
-    other_.bindImage(3, GL_WRITE_ONLY);
-    glDispatchCompute(groupsX, groupsY, static_cast<GLuint>(tables.layers()));
-    glMemoryBarrier(GL_ALL_BARRIER_BITS);
-    if (stage > 0) std::swap(grid_, other_);
-    glFlush();
-  };
-  pass(baseProgram_, 0);
-  pass(firstProgram_, 1);
-  for (int order = 2; order <= q.eclipseOrders; ++order) pass(nextProgram_, 2);
-  glFinish();
-  seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+  block.push_back(eclipsedShape(tables));
+  block_.write(std::span<const glm::vec4>(block));
+  return computed;
 }
 
 void EclipsedSource::bind() const {
   block_.bindUniform(9);
   grid_.bind(10);
+}
+
+std::size_t EclipsedSource::bytes() const {
+  std::size_t sum = grid_.bytes();
+  for (auto const& [key, node] : nodes_) sum += node.grid.bytes();
+  return sum;
 }
 
 }  // namespace antumbra

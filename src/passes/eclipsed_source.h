@@ -1,53 +1,55 @@
-// Multiply scattered light inside a shadow: the source of scattering on a grid fixed to the
-// shadow's axis (distance from it, azimuth about it, height), found by iterating the orders with
-// the Sun's visible fraction at every scattering point. On the axis of a total eclipse this is all
-// the light there is, from the air beyond the umbra, hundreds of kilometres away.
+// Multiply scattered light inside the shadows on a body with air, for each caster as a grid that
+// travels with the shadow's axis (shaders/interface/eclipsed_air.glsl).
 //
-// The mean radiance and the irradiance are held as shares of their values without the eclipse, both
-// found with the same directions and samples, so that the grid joins the uneclipsed air at its
-// edge; the other moments up to degree 2 as ratios to the mean. The grid belongs to one place of
-// the axis over the body (its distance from the centre, and the cones' radii): it is computed anew
-// when those have moved by more than the tolerances below, not when the shadow merely travels.
-// Several casters: the grid is the first one's; the visible fraction is that of all.
+// Grids are computed (EclipsedSolver) at fixed nodes over what changes in the course of an eclipse
+// (eclipse/shadow_nodes.h), once each; an instant's grid is interpolated between the nodes around
+// it. So it depends on the shadow alone, not on what was drawn before, and costs no solution of its
+// own. What interpolation adds to the error: tests/passes/eclipsed_source_gl_test.cpp.
 #pragma once
 
-#include <glm/glm.hpp>
+#include <array>
+#include <map>
+#include <memory>
+#include <vector>
 
-#include "eclipse/shadow_pair.h"
-#include "gl/buffer.h"
-#include "gl/program.h"
-#include "gl/texture.h"
-#include "passes/air_tables.h"
-#include "passes/body_shadows.h"
+#include "passes/eclipsed_solver.h"
 
 namespace antumbra {
 
 class EclipsedSource {
  public:
-  // `exact`: computed anew whenever the shadow differs at all, so that a picture depends on nothing
-  // drawn before it.
-  EclipsedSource(const AirTables& tables, const BodyShadows& shadows, bool exact);
-  // `pair`: the first caster's, receiver-centred metres; `sun`: unit vector in scaled space. The
-  // shadows are up to date. Returns whether the grid was computed.
-  bool update(const AirTables& tables, const BodyShadows& shadows, const glsl::ShadowPair& pair,
-              const glm::dvec3& sun);
-  // Of the programs that look the grid up.
-  static gl::Definitions definitions() { return {{"ECLIPSED_SOURCE", ""}}; }
+  // `casters`: how many shadows; those beyond what a volume holds leave scattered light as it is.
+  // `betweenNodes`: false solves for each shadow itself, for measuring what interpolation costs.
+  EclipsedSource(const AirTables& tables, LimbDarkeningLaw law, std::size_t casters,
+                 bool betweenNodes = true);
+  // `pairs`: about the body's centre, m, in the order of the shadows' block; `flattening`: polar
+  // over equatorial radius. Returns how many nodes had to be computed.
+  int update(const AirTables& tables, const std::vector<glsl::ShadowPair>& pairs,
+             double flattening);
+  // Of the programs that look the grids up.
+  gl::Definitions definitions() const;
   // Uniform block 9, texture unit 10.
   void bind() const;
-  std::size_t bytes() const { return grid_.bytes() + other_.bytes(); }
-  double seconds() const { return seconds_; }  // of the last computation
+  std::size_t bytes() const;
+  double seconds() const { return seconds_; }  // of all nodes computed so far
 
  private:
-  void compute(const AirTables& tables, const BodyShadows& shadows);
+  using Key = std::pair<std::array<double, 2>, std::array<long, 4>>;  // radii of Sun and caster
+  struct Node {
+    gl::Texture grid;
+    long lastUse = 0;
+  };
+  const gl::Texture& node(const AirTables& tables, const Key& key, const glsl::ShadowPair& pair);
 
-  gl::Program baseProgram_, firstProgram_, nextProgram_, moments_;
-  QuadratureBlock nodes_;
-  gl::Buffer block_, zeniths_;
-  gl::Texture grid_, other_, radiances_, base_, first_;
-  glsl::ShadowPair computedFor_{};
-  bool exact_;
-  bool computed_ = false;
+  LimbDarkeningLaw law_;
+  int casters_;
+  bool betweenNodes_;
+  std::unique_ptr<EclipsedSolver> solver_;
+  std::map<Key, Node> nodes_;
+  gl::Program mix_;
+  gl::Buffer block_;
+  gl::Texture grid_;
+  long uses_ = 0;
   double seconds_ = 0.0;
 };
 

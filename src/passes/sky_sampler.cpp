@@ -55,6 +55,9 @@ struct SkyTables {
   AirTables tables;
   std::map<std::string, gl::Program> programs;
   std::map<std::size_t, AirSky> skies;  // by number of casters
+  std::unique_ptr<EclipsedSource> eclipsed;
+  std::size_t eclipsedCount = 0;
+  LimbDarkeningLaw law = LimbDarkeningLaw::Hestroffer;
 
   SkyTables(const Medium& medium, const std::vector<Length>& wavelengths, const AirQuality& quality,
             Angle sunRadius)
@@ -91,12 +94,13 @@ struct SkySampler::State {
   Medium medium;
   AirQuality quality;
   std::size_t count;
+  bool betweenNodes;
   std::vector<std::unique_ptr<SkyTables>> fours;
 };
 
 SkySampler::SkySampler(const Medium& medium, const std::vector<Length>& wavelengths,
-                       const AirQuality& quality, Angle sunRadius)
-    : state_(new State{medium, quality, wavelengths.size(), {}}) {
+                       const AirQuality& quality, Angle sunRadius, bool betweenNodes)
+    : state_(new State{medium, quality, wavelengths.size(), betweenNodes, {}}) {
   for (std::size_t first = 0; first < wavelengths.size(); first += 4) {
     auto const begin = wavelengths.begin() + static_cast<std::ptrdiff_t>(first);
     auto const size = std::min<std::size_t>(4, wavelengths.size() - first);
@@ -116,17 +120,21 @@ std::vector<double> SkySampler::sample(const SkyRequest& request) {
     auto& tables = own.tables;
     gl::Definitions shadowFlags;
     std::unique_ptr<BodyShadows> shadows;
-    std::unique_ptr<EclipsedSource> eclipsed;
     if (!request.casters.empty()) {
       shadows = std::make_unique<BodyShadows>(request.casters, 1.0, request.law,
                                               tables.wavelengths(), s.medium.topRadius());
-      eclipsed = std::make_unique<EclipsedSource>(tables, *shadows, true);
-      eclipsed->update(tables, *shadows, request.casters.front(), sun);
+      // The grids' nodes serve further requests.
+      if (!own.eclipsed || own.eclipsedCount != request.casters.size() || own.law != request.law)
+        own.eclipsed = std::make_unique<EclipsedSource>(tables, request.law, request.casters.size(),
+                                                        s.betweenNodes);
+      own.eclipsedCount = request.casters.size();
+      own.law = request.law;
+      own.eclipsed->update(tables, request.casters, 1.0);
       shadowFlags = shadows->definitions();
-      auto const more = EclipsedSource::definitions();
+      auto const more = own.eclipsed->definitions();
       shadowFlags.insert(shadowFlags.end(), more.begin(), more.end());
       shadows->bind();
-      eclipsed->bind();
+      own.eclipsed->bind();
     }
     auto definitions = tables.definitions();
     definitions.insert(definitions.end(), shadowFlags.begin(), shadowFlags.end());
@@ -172,6 +180,11 @@ std::vector<double> sampleSky(const Medium& medium, const SkyRequest& request,
 
 std::vector<SkyIrradiance> sampleSkyIrradiance(const Medium& medium, const SkyRequest& request,
                                                const AirQuality& quality) {
+  return SkySampler(medium, request.wavelengths, quality, request.sunRadius).irradiance(request);
+}
+
+std::vector<SkyIrradiance> SkySampler::irradiance(const SkyRequest& request) {
+  Medium const& medium = state_->medium;
   if (request.altitude > medium.topHeight)
     throw InputError(
         fmt::format("irradiance: altitude {} km; allowed: up to the top of the air, "
@@ -191,7 +204,7 @@ std::vector<SkyIrradiance> sampleSkyIrradiance(const Medium& medium, const SkyRe
       weights.push_back(static_cast<double>(node.y) * 2.0 * x * cosine * 2.0 * std::numbers::pi /
                         turns);
     }
-  auto const radiances = sampleSky(medium, sky, quality);
+  auto const radiances = sample(sky);
   std::size_t const count = request.wavelengths.size();
   std::vector<SkyIrradiance> result(count, {0.0, 0.0});
   for (std::size_t d = 0; d < weights.size(); ++d)

@@ -30,16 +30,24 @@ struct SkyRequest {
   LimbDarkeningLaw law = LimbDarkeningLaw::Hestroffer;
 };
 
+// Over E0, by wavelength.
+struct SkyIrradiance {
+  double direct, diffuse;
+};
+
 // Tables for a medium and a list of wavelengths, kept for many requests. Needs a context.
 class SkySampler {
  public:
+  // `betweenNodes`: as in EclipsedSource.
   SkySampler(const Medium& medium, const std::vector<Length>& wavelengths,
-             const AirQuality& quality, Angle sunRadius = Angle(0.0));
+             const AirQuality& quality, Angle sunRadius = Angle(0.0), bool betweenNodes = true);
   ~SkySampler();
   SkySampler(const SkySampler&) = delete;
   SkySampler& operator=(const SkySampler&) = delete;
   // As sampleSky; the request's wavelengths and solar radius are those of the sampler.
   std::vector<double> sample(const SkyRequest& request);
+  // As sampleSkyIrradiance.
+  std::vector<SkyIrradiance> irradiance(const SkyRequest& request);
 
  private:
   struct State;
@@ -53,9 +61,6 @@ std::vector<double> sampleSky(const Medium& medium, const SkyRequest& request,
 
 // Irradiance on a horizontal surface at the camera over E0, by wavelength: direct and diffuse. The
 // camera is at most at the top of the air.
-struct SkyIrradiance {
-  double direct, diffuse;
-};
 std::vector<SkyIrradiance> sampleSkyIrradiance(const Medium& medium, const SkyRequest& request,
                                                const AirQuality& quality);
 

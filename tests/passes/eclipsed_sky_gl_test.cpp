@@ -79,7 +79,7 @@ TEST_F(EclipsedSky, FollowsTheMonteCarloReference) {
     std::vector<SkyIrradiance> irradiances;
     std::vector<double> radiances;
     if (rows.front().irradiance)
-      irradiances = sampleSkyIrradiance(medium, request, quality);
+      irradiances = sampler.irradiance(request);
     else
       radiances = sampler.sample(request);
     for (std::size_t i = 0; i < rows.size(); ++i) {
