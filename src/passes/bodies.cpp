@@ -139,6 +139,7 @@ struct BodiesPass::State {
   }
 
   AirTables* air(const PlannedBody& body, std::string& key) {
+    key.clear();
     if (body.atmosphere.empty()) return nullptr;
     key = fmt::format("{} on {:.0f} m", body.atmosphere, body.equatorialRadius.si);
     auto& tables = airs[key];

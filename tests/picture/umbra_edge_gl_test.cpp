@@ -5,7 +5,9 @@
 // itself is read from the picture. In natural light on an airless Earth the Sun's visible fraction
 // is the picture's light over that of the same picture without the Moon's shadow: the umbra's edge
 // is where it reaches zero, the antumbra's where it leaves the plateau of the ring. In the
-// illustrative look it is the step between the flat colours.
+// illustrative look it is the step between the flat colours, seen through the air. (Natural light
+// through the air has no edge to read: what the air scatters, 2 cd/m2, exceeds the first light on
+// the ground for four pixels.)
 //
 // Instants: a picture shows the shadow of its instant at the centre of the body that the camera
 // stands on; the light's way from the ground up to the camera (3 ms from 1000 km, 2 m of the
@@ -210,6 +212,7 @@ void check(const Case& c, bool illustrative, PictureRenderer& renderer) {
     view.longitude = place.longitude / degree - 0.021;
     view.heightMetres = c.heightMetres;
     view.illustrative = illustrative;
+    view.air = illustrative;
     Instant const when = event.track.instantAt(seconds);
     GroundWindow const window(renderer, view, when, event.eclipse.deltaT);
     int const size = window.size();
@@ -253,6 +256,28 @@ TEST_F(UmbraEdge, LiesWhereItIsPredictedInNaturalLight) {
 TEST_F(UmbraEdge, LiesWhereItIsPredictedInTheIllustrativeLook) {
   PictureRenderer renderer(testsupport::greyMap);
   for (Case const& c : kCases) check(c, true, renderer);
+}
+
+// What an earlier picture had resident does not change a later one: a body without its air is as
+// bright after a picture with it as before.
+TEST_F(UmbraEdge, ABodyThatLosesItsAirIsDrawnWithoutIt) {
+  EclipseBasis const basis;
+  SolarEvent const event = solarEventOn(basis, "2027-08-02", "test");
+  GroundWindow::View view;
+  view.latitude = view.longitude = 20.0;
+  view.size = 2;
+  auto const bare = [&](PictureRenderer& renderer) {
+    view.air = false;
+    return GroundWindow(renderer, view, event.eclipse.greatest, event.eclipse.deltaT).at(0, 0);
+  };
+  PictureRenderer fresh(testsupport::greyMap), used(testsupport::greyMap);
+  double const expected = bare(fresh);
+  EXPECT_GT(expected, 100.0);  // cd/m2, in the penumbra by day
+  view.air = true;
+  view.illustrative = true;
+  GroundWindow(used, view, event.eclipse.greatest, event.eclipse.deltaT);
+  view.illustrative = false;
+  EXPECT_FLOAT_EQ(static_cast<float>(bare(used)), static_cast<float>(expected));
 }
 
 }  // namespace
