@@ -16,5 +16,6 @@ void addEphemerisCommand(CLI::App& program);
 void addTradeCommand(CLI::App& program);
 void addTradeEphemeris(CLI::App& trade);
 void addTradeTotality(CLI::App& trade);
+void addTradeShadows(CLI::App& trade);
 
 }  // namespace antumbra

@@ -8,6 +8,7 @@ void addTradeCommand(CLI::App& program) {
   trade->require_subcommand(1);
   addTradeEphemeris(*trade);
   addTradeTotality(*trade);
+  addTradeShadows(*trade);
 }
 
 }  // namespace antumbra

@@ -1,10 +1,10 @@
 // `antumbra trade ephemeris`: requested error against terms, measured error and time.
 #include <fmt/format.h>
 
-#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/thread_clock.h"
 #include "document/document.h"
 #include "document/text_output.h"
 #include "ephemeris/ephemeris.h"
@@ -18,12 +18,6 @@ struct Options {
   std::vector<std::string> errors{"10arcsec", "1arcsec", "0.1arcsec"};
   std::string format = "table", output = "-";
 };
-
-double threadMicroseconds() {
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e6 + static_cast<double>(now.tv_nsec) / 1e3;
-}
 
 // Place and velocity of one body from the Earth: median of nine rounds, processor time.
 double timeOf(const Ephemeris& e, BodyId body) {

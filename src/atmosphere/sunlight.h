@@ -39,9 +39,8 @@ struct Sunlight {
 Occulter occulterByRatio(double ratio, Length radius, Position<AirFrame> axisPoint,
                          const Sunlight& sun);
 
-// Share of the Sun's light at one wavelength that passes all occulters. Several: the product of
-// their shares, exact where their discs do not overlap on the Sun, too dark by at most the smaller
-// hidden share where they do.
+// Share of the Sun's light at one wavelength that passes all occulters: what the union of their
+// discs leaves (eclipse/shadow_pair.h).
 class SunShadow {
  public:
   SunShadow(const Sunlight& sun, Length wavelength);

@@ -101,7 +101,7 @@ PixelBounds boundsOfCap(const Projection& projection, Direction<CameraAxes> cent
   // point, over the date line or a pole of an equirectangular picture), take all of it.
   switch (projection.kind) {
     case ProjectionKind::Perspective:
-      if (off - r > std::numbers::pi / 2.0) return {};
+      if (off - r > std::atan(glm::length(projection.extent()))) return {};  // beyond the corners
       if (off + r > 1.5) return whole;
       break;
     case ProjectionKind::Fisheye:
