@@ -61,8 +61,8 @@ layout(std140, binding = 13) uniform RingShadow {
 layout(binding = 13) uniform sampler2D ringShadow;
 
 // Share of sunlight that passes the rings on its way to a point of the globe (true axes, m from the
-// centre).
-float sunlightThroughRings(vec3 point) {
+// centre), over the Sun's disc and the pixel's footprint (m) together.
+float sunlightThroughRings(vec3 point, float footprint) {
   vec3 sun = bodyTrueSun.xyz;
   float way = -point.z / sun.z;
   vec2 at = point.xy + sun.xy * way;
@@ -70,7 +70,8 @@ float sunlightThroughRings(vec3 point) {
   float x = (radius - ringShadowRadii.x) / (ringShadowRadii.y - ringShadowRadii.x);
   if (way <= 0.0 || x <= 0.0 || x >= 1.0) return 1.0;
   float outward = dot(sun.xy, at) / (radius * sun.z);
-  float width = way * ringShadowSun.x * sqrt(1.0 + outward * outward);
+  float blur = way * ringShadowSun.x;
+  float width = sqrt((blur * blur + 0.25 * footprint * footprint) * (1.0 + outward * outward));
   ivec2 size = textureSize(ringShadow, 0);
   float row = clamp((log2(max(width, 1.0)) - ringShadowRadii.z) * ringShadowRadii.w, 0.0,
                     float(size.y - 1));
@@ -166,7 +167,7 @@ SurfaceLight surfaceLight(vec3 normal, vec3 direction, float footprint) {
   float viewCosine = max(-dot(normal, direction), 1e-3);
   vec4 direct[AIR_LAYERS];
 #ifdef RING_SHADOW
-  float passed = sunlightThroughRings(position * vec3(1.0, 1.0, bodyShape.y));
+  float passed = sunlightThroughRings(position * vec3(1.0, 1.0, bodyShape.y), footprint);
 #endif
   for (int layer = 0; layer < AIR_LAYERS; ++layer) {
     vec4 sun = vec4(1.0);

@@ -24,12 +24,17 @@ class RingsInPictures : public testsupport::GlTest {
  protected:
   void SetUp() override {
     GlTest::SetUp();
+    look(-28.0 * degree, 60.0 * degree, 18.0 * degree);
+  }
+  // Towards the globe's centre from above a latitude and a longitude.
+  void look(Angle latitude, Angle longitude, Angle field) {
     scene_ = readScene(configsFolder() / "scenes" / "saturn.toml");
     scene_.bodies = {"Sun", "Saturn"};
     scene_.picture.width = kWidth;
     scene_.picture.height = kHeight;
-    scene_.camera.latitude = -28.0 * degree;  // rings less slanted, and more of the shadow on them
-    scene_.camera.longitude = 60.0 * degree;
+    scene_.camera.latitude = latitude;
+    scene_.camera.longitude = longitude;
+    scene_.picture.field = field;
     scene_.quality = "draft";
     scene_.shadows.limbDarkening = "hestroffer";
     scene_.display.limitingMagnitude = -10.0;
@@ -91,6 +96,8 @@ class RingsInPictures : public testsupport::GlTest {
 };
 
 TEST_F(RingsInPictures, ShadeTheGlobeAsRaysToTheSunSay) {
+  // Pixels of 15 km, for the shadow is averaged over them.
+  look(38.0 * degree, 126.0 * degree, 0.6 * degree);
   saturn_->rings->bounds = {};
   auto const with = luminances();
   saturn_->rings->shadeGlobe = false;
@@ -129,7 +136,7 @@ TEST_F(RingsInPictures, ShadeTheGlobeAsRaysToTheSunSay) {
       "ring shadow on the globe: mean %.1e, largest %.3f of sunlight over %d pixels (%d dark)\n",
       sum / compared, worst, compared, shaded);
   EXPECT_GT(shaded, 10);
-  EXPECT_LT(sum / compared, 2e-4);
+  EXPECT_LT(sum / compared, 1e-3);
   // A float's place on the globe moves a sharp edge by tens of metres; the test's disc has 24
   // rings.
   EXPECT_LT(worst, 0.03);
