@@ -4,6 +4,10 @@
 #define INTERFACE_SHADOWS_GLSL
 #ifdef SHADOW_PAIRS
 #include "shared/several_casters.glsl"
+// Software renderers compute every branch: casters whose penumbras nowhere meet do without the union.
+#if SHADOW_PAIRS > 1 && !defined(SHADOWS_APART)
+#define SHADOWS_UNITED
+#endif
 #define SHADOW_INNER 64
 
 layout(std140, binding = 7) uniform Shadows {
@@ -58,7 +62,7 @@ float shadowLightScale(ShadowPair pair, ShadowTablePlace place, float exponent) 
 vec4 visibleSunlight(vec3 scaled, int layer) {
   vec4 light = vec4(1.0);
   vec2 size = vec2(textureSize(shadowLight, 0).xy);
-#if SHADOW_PAIRS > 1
+#ifdef SHADOWS_UNITED
   vec4 least = vec4(1.0);
   SunCover cover = noCover();
   vec3 first = vec3(0.0);
@@ -74,7 +78,7 @@ vec4 visibleSunlight(vec3 scaled, int layer) {
 #endif
     ShadowTablePlace place = shadowTablePlace(pair, where);
     if (place.outer >= 1.0) continue;
-#if SHADOW_PAIRS > 1
+#ifdef SHADOWS_UNITED
     // No shadow before the caster.
     if (pair.casterBehind + place.along < -pair.casterRadius) continue;
 #endif
@@ -85,7 +89,7 @@ vec4 visibleSunlight(vec3 scaled, int layer) {
     vec4 past = shadowLightScale(pair, place, shadowLaws[layer].exponent.y) *
                 textureLod(shadowLight, vec3((vec2(column, row) + 0.5) / size,
                                              float(caster * AIR_LAYERS + layer)), 0.0);
-#if SHADOW_PAIRS > 1
+#ifdef SHADOWS_UNITED
     if (place.umbra > 0.0 && place.outer <= 0.0) return vec4(0.0);
     vec3 toward = limbDirection(pair, where);
     if (cover.count == 0) first = toward;
@@ -99,7 +103,7 @@ vec4 visibleSunlight(vec3 scaled, int layer) {
     light *= past;
 #endif
   }
-#if SHADOW_PAIRS > 1
+#ifdef SHADOWS_UNITED
   if (cover.count > 1) least = min(least, visibleFractionOfUnion(cover, shadowLaws[layer]));
   light *= least;
 #endif

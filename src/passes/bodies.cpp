@@ -47,6 +47,27 @@ std::string keyOf(const gl::Definitions& definitions) {
   return key;
 }
 
+// Whether no two penumbras meet within `reach` of the body's centre, with a tenth to spare.
+bool shadowsStayApart(const std::vector<glsl::ShadowPair>& pairs, double reach) {
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      auto const lineOf = [](const glsl::ShadowPair& p) {
+        return std::pair(glsl::fromCasterSpace(p, p.foot),
+                         glm::normalize(glsl::fromCasterSpace(p, p.axis)));
+      };
+      auto const [foot1, axis1] = lineOf(pairs[i]);
+      auto const [foot2, axis2] = lineOf(pairs[k]);
+      glm::dvec3 const between = foot1 - foot2;
+      double const apart = glm::length(between - axis1 * glm::dot(between, axis1)) -
+                           2.0 * reach * glm::length(axis1 - axis2);
+      double widths = 0.0;
+      for (auto const* p : {&pairs[i], &pairs[k]})
+        widths += (p->penumbraRadius + 2.0 * reach * p->penumbraTangent) * (1.0 + p->squash);
+      if (apart < 1.1 * widths) return false;
+    }
+  return true;
+}
+
 struct SurfaceMaps {
   gl::Texture colour, water, night;
 };
@@ -60,6 +81,7 @@ struct Resident {
   int pairCount = 0;
   LimbDarkeningLaw law = LimbDarkeningLaw::Hestroffer;
   bool illustrative = false;
+  bool apart = true;  // its shadows nowhere meet
   std::unique_ptr<Rings> rings;
   std::unique_ptr<AirSky> sky;
   bool skyShown = false;
@@ -217,6 +239,10 @@ void BodiesPass::prepare(const PlannedBody& body, const Projection& picture, con
     resident.law = look.law;
     resident.illustrative = look.illustrative;
     shadowFlags = wanted;
+    bool const apart = shadowsStayApart(pairs, reach);
+    if (apart != resident.apart) resident.sky.reset();
+    resident.apart = apart;
+    if (apart) shadowFlags.emplace_back("SHADOWS_APART", "");
     auto tables = s.refractedTables(body, look.law);
     if (std::any_of(tables.begin(), tables.end(), [](auto const& t) { return t != nullptr; })) {
       if (!resident.refracted || resident.refracted->tables() != tables)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "document/paths.h"
+#include "eclipse/limb_darkening.h"
 #include "picture/picture_renderer.h"
 #include "quantity/constants.h"
 #include "tests/support/gl_fixture.h"
@@ -122,6 +123,66 @@ TEST_F(TripleShadow, SpotsFallWhereLightWouldMissThem) {
     // Half a pixel of the spot's own rim, and its slant.
     EXPECT_LT(nearest, 0.7) << nameOf(moon);
   }
+}
+
+// Where Callisto's and Io's shadows overlap a little earlier, pixels keep what the union of the
+// moons' discs leaves.
+TEST_F(TripleShadow, OverlappingShadowsHideTheUnion) {
+  Scene scene = readScene(configsFolder() / "scenes" / "jupiter_triple_shadow.toml");
+  scene.bodies = {"Sun", "Earth", "Jupiter", "Io", "Callisto"};
+  scene.picture.width = 640;
+  scene.picture.height = 480;
+  scene.quality = "draft";
+  auto const placed =
+      placeScene(scene, parseInstant("2015-01-24T05:49:40Z", "test"), BodyCatalogue::standard(),
+                 Ephemeris::standard(), DeltaT::standard());
+  auto plan = makeRenderPlan(scene, placed);
+  std::erase_if(plan.bodies, [](auto const& b) { return b.name != "Jupiter"; });
+  ASSERT_EQ(plan.bodies.size(), 1u);
+  auto& jupiter = plan.bodies.front();
+  ASSERT_EQ(jupiter.casters.size(), 2u);
+  PictureRenderer renderer(greyMap);
+  auto const with = renderer.finish(scene, placed, plan);
+  std::vector<glsl::ShadowPair> pairs;
+  for (auto const& c : jupiter.casters)
+    pairs.push_back(shadowPair(jupiter.sun, c.centre, c.radii, c.figure));
+  jupiter.casters.clear();
+  auto const without = renderer.finish(scene, placed, plan);
+  auto const law =
+      limbDarkening(LimbDarkeningLaw::Hestroffer,
+                    {560.0 * nanometre, 560.0 * nanometre, 560.0 * nanometre, 560.0 * nanometre});
+  glm::dvec3 const stretch(1.0, 1.0, jupiter.equatorialRadius / jupiter.polarRadius);
+  glm::dmat3 const turn = jupiter.bodyFromCamera.matrix;
+  glm::dvec3 const o = turn * -jupiter.centre.m;
+  double worst = 0.0, productErr = 0.0;
+  int shared = 0;
+  for (int y = 0; y < with.height; ++y)
+    for (int x = 0; x < with.width; ++x) {
+      auto const i = static_cast<std::size_t>(y * with.width + x) * 3 + 1;
+      glm::dvec3 const d = turn * scene.picture.directionAt(x + 0.5, with.height - y - 0.5)->u;
+      double const a = dot(d * stretch, d * stretch), b = dot(o * stretch, d * stretch);
+      double const c = dot(o * stretch, o * stretch) - std::pow(jupiter.equatorialRadius.si, 2.0);
+      if (b * b < a * c || without.linear[i] < 1.0f) continue;
+      glm::dvec3 const point = o + d * ((-b - std::sqrt(b * b - a * c)) / a);
+      double product = 1.0;
+      int covering = 0;
+      for (auto const& pair : pairs) {
+        double const one = glsl::visibleSunlight(pair, law, point).x;
+        covering += one < 0.99;
+        product *= one;
+      }
+      if (covering < 2) continue;
+      ++shared;
+      double const expected = visibleSunlight(pairs, law, point).x;
+      worst = std::max(worst, std::fabs(with.linear[i] / without.linear[i] - expected));
+      productErr = std::max(productErr, std::fabs(product - expected));
+    }
+  std::printf("%d pixels behind both moons: within %.4f of sunlight (their product %.3f)\n", shared,
+              worst, productErr);
+  EXPECT_GT(shared, 10);
+  EXPECT_GT(productErr, 0.03);
+  // A float's place at Jupiter's distance, and one wavelength for a luminance.
+  EXPECT_LT(worst, 0.01);
 }
 
 }  // namespace
