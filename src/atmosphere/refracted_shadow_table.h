@@ -1,8 +1,8 @@
 // The light in the shadow of a body with air, tabulated over the distance from the axis, at any
 // distance behind the body: rows for shaders.
 //
-// The light of refracted_shadow.h is computed at nodes 1 % apart in the distance behind the body and
-// 0.4 % in that of the Sun, when first asked for, and interpolated by straight lines in its
+// The light of refracted_shadow.h is computed at nodes 1 % apart in the distance behind the body
+// and 0.4 % in that of the Sun, when first asked for, and interpolated by straight lines in its
 // logarithm between four of them, at equal places of shaders/shared/refracted_shadow.glsl: within
 // 1 % of the light itself, 1.5 % on the axis (tests/atmosphere/refracted_shadow_test.cpp). A row is
 // a pure function of its station.
