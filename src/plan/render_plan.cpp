@@ -108,6 +108,18 @@ std::optional<PlannedBody::Rings> planRings(const PlacedBody& b, const PlannedBo
   return rings;
 }
 
+// Whether a body smaller than the pixels must be drawn all the same: it stands before the Sun and
+// takes more than a ten-thousandth of its light, which would dazzle in its stead.
+bool coversSun(const PlacedScene& placed, const PlacedBody& body, const PlacedBody& sun) {
+  Length const distance = norm(body.fromCamera), toSun = norm(sun.fromCamera);
+  if (distance >= toSun) return false;
+  Angle const disc = angularRadius(body.body->equatorialRadius, distance);
+  Angle const sunDisc = angularRadius(sun.body->equatorialRadius, toSun);
+  return disc > 0.01 * sunDisc &&
+         angleBetween(directionOf(placed.cameraFromIcrs(body.fromCamera)),
+                      directionOf(placed.cameraFromIcrs(sun.fromCamera))) < disc + sunDisc;
+}
+
 }  // namespace
 
 RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
@@ -139,7 +151,7 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
       continue;
     }
     bool const isAnchor = i == placed.anchor;
-    if (diameter < kPointPixels && !isAnchor) {
+    if (diameter < kPointPixels && !isAnchor && !(sun && coversSun(placed, b, *sun))) {
       if (!overlapsPicture(picture, direction, picture.pixelAngle())) {
         plan.leftOut.push_back({b.body->name, "outside the picture"});
         continue;

@@ -44,6 +44,19 @@ TEST(RenderPlan, TotalityAtLuxorHasItsShadowAirAndQuery) {
   EXPECT_EQ(plan.bodies.back().name, "Earth");
 }
 
+// A Moon of a fifth of a pixel hides the Sun like any other.
+TEST(RenderPlan, TheMoonHidesTheSunAtAnySize) {
+  Scene small = shipped("luxor_dome");
+  small.picture.width = small.picture.height = 32;
+  auto const names = [&](const char* time) {
+    std::vector<std::string> found;
+    for (auto const& body : planOf(small, time).bodies) found.push_back(body.name);
+    return found;
+  };
+  EXPECT_THAT(names("2027-08-02T10:05:06Z"), testing::Contains("Moon"));
+  EXPECT_THAT(names("2027-08-02T06:05:06Z"), testing::Not(testing::Contains("Moon")));
+}
+
 TEST(RenderPlan, AnAirlessSceneBuildsNoTable) {
   RenderPlan const plan = planOf(onTheMoon(), "2027-08-02T10:05:06Z");
   EXPECT_TRUE(plan.tables.empty());
