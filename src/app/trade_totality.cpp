@@ -148,7 +148,7 @@ std::vector<Point> pointsAround(const std::string& preset) {
       points.push_back(p);
     }
   };
-  vary("orders", &AirQuality::eclipseOrders, {1, 2, 3, 4, 5, 6, 8});
+  vary("orders", &AirQuality::eclipseOrders, {2, 3, 4, 5, 6, 8});
   vary("distances", &AirQuality::eclipseDistances, {16, 24, 32, 48});
   vary("azimuths", &AirQuality::eclipseAzimuths, {3, 5, 7, 9, 13});
   vary("heights", &AirQuality::eclipseHeights, {4, 6, 8, 12});

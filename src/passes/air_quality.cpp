@@ -42,7 +42,7 @@ AirQuality AirQuality::read(const Table& table) {
   if (q.eclipseZeniths % 2) table.fail("eclipse_zeniths", "allowed: an even number");
   q.eclipseTurns = within(table, "eclipse_turns", q.eclipseTurns, 4, 64);
   q.eclipseSamples = within(table, "eclipse_samples", q.eclipseSamples, 2, 64);
-  q.eclipseOrders = within(table, "eclipse_orders", q.eclipseOrders, 1, 50);
+  q.eclipseOrders = within(table, "eclipse_orders", q.eclipseOrders, 2, 50);
   q.eclipseSkySamples = within(table, "eclipse_sky_samples", q.eclipseSkySamples, 2, 64);
   return q;
 }
