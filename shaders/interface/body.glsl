@@ -40,6 +40,7 @@ layout(std140, binding = 2) uniform Body {
   vec4 bodyAlbedo;      // linear sRGB without a map
   vec4 bodyMapFactor;   // on the map's linear values; w: map texels a turn
   vec4 bodyNight;       // x: luminance of a white texel at night, cd/m2; y: phase factor (lunar)
+  vec4 bodyShine;       // scaled space: unit vector to the brightest neighbour; w: its light over the Sun's
 };
 #ifdef SURFACE_MAP
 layout(binding = 0) uniform sampler2D surfaceMap;
@@ -201,6 +202,14 @@ SurfaceLight surfaceLight(vec3 normal, vec3 direction, float footprint) {
     vec4 light = direct[layer] * lunarReflection(max(sunCosine, 0.0), viewCosine, bodyNight.y);
 #else
     vec4 light = direct[layer] * lit;
+#endif
+#ifndef AIR
+    float shineCosine = max(dot(normal, bodyShine.xyz), 0.0);
+#ifdef SURFACE_LUNAR
+    light += bodyShine.w * lunarReflection(shineCosine, viewCosine, 1.0);
+#else
+    light += bodyShine.w * shineCosine;
+#endif
 #endif
 #ifdef AIR
     vec4 diffuse = textureLod(airSource, vec3(sourcePlace_, float(layer * 7 + 6)), 0.0);

@@ -7,6 +7,9 @@ uniform float flattening;
 uniform vec3 centreLuminance;  // of the disc, cd/m^2 in linear sRGB
 uniform vec2 fade;             // distances, in solar radii, where the outer corona begins to fade, ends
 uniform int finestSamples;
+uniform float streamers;  // 1: with structure
+uniform float activity;   // of the solar cycle
+uniform int prominenceCount;
 
 out vec4 luminance;  // cd/m^2 in linear sRGB, added
 
@@ -41,8 +44,15 @@ void main() {
       float radius = d * sqrt((1.0 + tangentSquared) / (1.0 + squared * tangentSquared));
       if (free > 0.0) {
         float outer = 1.0 - smoothstep(fade.x, fade.y, radius);
-        sum += centreLuminance * (coronaBrightness(max(radius, 1.0), point.y / d, flattening) *
-                                  outside * free * outer);
+        float angle = atan(point.y, point.x);
+        float corona = streamers > 0.5
+                           ? structuredCorona(max(radius, 1.0), point.y / d, angle, flattening, activity)
+                           : coronaBrightness(max(radius, 1.0), point.y / d, flattening);
+        sum += centreLuminance * (corona * outside * free * outer);
+        if (prominenceCount > 0 && radius < 1.2)
+          sum += chromosphereColour() *
+                 (dot(centreLuminance, vec3(0.2126, 0.7152, 0.0722)) *
+                  prominences(max(radius - 1.0, 0.0), angle, prominenceCount) * outside * free);
       }
       // Thinner than most samples: whether it shows is asked at the limb itself.
       float rim = chromosphereBetween(radius - 0.5 * step, radius + 0.5 * step);

@@ -55,6 +55,7 @@ namespace {
 #include "shared/eclipse.glsl"
 #include "shared/glare.glsl"
 #include "shared/limb_darkening.glsl"
+#include "shared/night_vision.glsl"
 #include "shared/phase.glsl"
 #include "shared/pixel_scale.glsl"
 #include "shared/point_spread.glsl"

@@ -11,8 +11,8 @@
 //
 // Shape: isophotes of the K corona are flattened by Ludendorff's index, epsilon = equatorial over
 // polar diameter - 1 at 2 radii, rising from 0 at the limb: about 0.3 at minimum and 0.05 at maximum of
-// the solar cycle (Pishkalo 2011, Sol. Phys. 270, 347). The F corona stays round. No streamers: a real
-// eclipse's are not predictable, and inventing them would not be a measurement.
+// the solar cycle (Pishkalo 2011, Sol. Phys. 270, 347). The F corona stays round. A real eclipse's
+// streamers are not predictable: coronaStructure invents some, for scenes that ask for them.
 //
 // Chromosphere: the light of H alpha, D3, H beta and H gamma above the limb, of the order of
 // 1e6 erg cm^-2 s^-1 sr^-1 in H alpha at the base, a factor e less every 1500 km (flash spectra: Dunn et
@@ -59,6 +59,99 @@ Number coronaBrightness(Number radius, Number sineLatitude, Number flattening) {
   Number e = index / (2.0 + index);
   Number cosDouble = 1.0 - 2.0 * sineLatitude * sineLatitude;
   return electronCorona(radius / (1.0 + e * cosDouble)) + dustCorona(radius);
+}
+
+// exp(-x) I0(x), the mean over a turn of exp(x (cos - 1)): Abramowitz & Stegun, 9.8.1 and 9.8.2, within
+// 2e-6.
+Number meanOfRay(Number x) {
+  Number t = x / 3.75;
+  if (x < 3.75) {
+    Number q = t * t;
+    return exp(-x) *
+           (1.0 + q * (3.5156229 +
+                       q * (3.0899424 +
+                            q * (1.2067492 +
+                                 q * (0.2659732 + q * (0.0360768 + q * 0.0045813))))));
+  }
+  Number u = 1.0 / t;
+  return (0.39894228 +
+          u * (0.01328592 +
+               u * (0.00225319 +
+                    u * (-0.00157565 +
+                         u * (0.00916281 +
+                              u * (-0.02057706 +
+                                   u * (0.02635537 + u * (-0.01647633 + u * 0.00392377)))))))) /
+         sqrt(x);
+}
+
+Number between0And1(Number x) {
+  return x - floor(x);
+}
+
+// Structure of the K corona: a factor whose mean over the position angle is 1 at every distance, so
+// that the measured profile stays. Invented, and the same for every eclipse of a like phase: eight
+// helmet streamers, broad at the base and narrow from 2.5 radii on, near the equator at minimum and
+// at all latitudes at maximum; polar plumes at minimum; faint rays. `angle` counts from the Sun's
+// equator in the west (right, north up) toward north.
+Number coronaStructure(Number radius, Angle angle, Number activity) {
+  Number out1 = clamp((radius - 1.0) / 1.5, 0.0, 1.0);
+  Number sum = 0.0;
+  Number mean = 0.0;
+  for (Index i = 0; i < 8; i = i + 1) {
+    Number u = between0And1(0.7548776662 * Number(i) + 0.31);
+    Number v = between0And1(0.5698402910 * Number(i) + 0.17);
+    Angle centre = 2.0 * kPi * (Number(i) + 0.7 * (u - 0.5)) / 8.0;
+    Number sine = sin(centre);
+    Number weight = (0.4 + v) * mix(exp(-sine * sine / 0.16), 1.0, activity);
+    Number sharp = (5.0 + 45.0 * out1 * out1) * (0.6 + 0.8 * u);
+    sum = sum + weight * exp(sharp * (cos(angle - centre) - 1.0));
+    mean = mean + weight * meanOfRay(sharp);
+  }
+  Number contrast = 0.35 + 0.35 * out1;
+  Number bend = 2.0 * log(radius);
+  Number rays = 0.045 * cos(31.0 * angle + 1.0 + bend) + 0.035 * cos(53.0 * angle + 4.0 - bend) +
+                0.03 * cos(89.0 * angle + 2.0 + bend);
+  Number fromPole = cos(angle);
+  Number plumes = 0.3 * (1.0 - activity) * exp(-fromPole * fromPole / 0.12) *
+                  (cos(67.0 * angle + 0.7) + 0.5 * cos(101.0 * angle + 2.1)) / 1.5;
+  Number near = clamp((radius - 1.0) / 0.15, 0.0, 1.0);
+  return 1.0 + contrast * (sum / mean - 1.0) + near * (rays + plumes * (1.0 - out1));
+}
+
+// Corona with its structure.
+Number structuredCorona(Number radius, Number sineLatitude, Angle angle, Number flattening,
+                        Number activity) {
+  Number smooth_ = coronaBrightness(radius, sineLatitude, flattening);
+  Number dust = dustCorona(radius);
+  return dust + (smooth_ - dust) * coronaStructure(radius, angle, activity);
+}
+
+// Quiescent prominences: H alpha of the order of 1e5 erg cm^-2 s^-1 sr^-1 (Gouttebroze, Heinzel & Vial
+// 1993, A&AS 99, 513), with the other lines 1e4 cd/m^2 over the disc's centre. Their places and shapes
+// are invented: arches with threads, 15 to 60 Mm high.
+const Number kProminence = 4.4e-6;
+
+Number prominences(Number height, Angle angle, Index count) {
+  Number light = 0.0;
+  for (Index i = 0; i < count; i = i + 1) {
+    Number u = between0And1(0.6180339887 * Number(i) + 0.42);
+    Number v = between0And1(0.7548776662 * Number(i) + 0.11);
+    Number w = between0And1(0.5698402910 * Number(i) + 0.77);
+    Number off = between0And1((angle / (2.0 * kPi)) - u + 0.5) - 0.5;
+    Number along = 2.0 * kPi * off;  // solar radii along the limb
+    Number high = 0.022 + 0.064 * v * v;
+    Number wide = 0.025 + 0.05 * w;
+    Number leaning = along + (w - 0.5) * height;
+    Number x = leaning / wide;
+    Number y = height / high;
+    Number q = sqrt(x * x + y * y);
+    if (q < 2.0) {
+      Number arch = (q - 0.8) / 0.2;
+      Number threads = 0.65 + 0.35 * cos(22.0 * x + 9.0 * y * v) * cos(5.0 * y + 7.0 * w);
+      light = light + (exp(-arch * arch) + 0.35 * exp(-3.0 * q * q)) * threads;
+    }
+  }
+  return kProminence * light;
 }
 
 // Light of the round corona from beyond `radius` as a share of the whole Sun's: the profile's integral

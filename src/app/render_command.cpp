@@ -5,8 +5,10 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <optional>
 
 #include "app/commands.h"
+#include "app/luminance_track.h"
 #include "app/scene_session.h"
 #include "document/document.h"
 #include "document/paths.h"
@@ -59,14 +61,24 @@ std::string fileOfFrame(const std::string& pattern, int frame) {
   return pattern.substr(0, start) + fmt::format("{:0{}}", frame, digits) + rest;
 }
 
+// "dome.png" to "dome_ev+2.png" for a bracket of two stops more.
+std::filesystem::path fileOfBracket(const std::filesystem::path& file, double stops) {
+  return file.parent_path() /
+         fmt::format("{}_ev{:+g}{}", file.stem().string(), stops, file.extension().string());
+}
+
 void writeAll(const std::vector<std::string>& outputs, int frame, const FinishedPicture& picture,
-              const Metadata& metadata) {
+              const std::vector<double>& bracketsStops, const Metadata& metadata) {
   for (auto const& pattern : outputs) {
     std::filesystem::path const file = fileOfFrame(pattern, frame);
-    if (file.extension() == ".png")
-      writePng(file, picture.width, picture.height, picture.srgb, metadata);
-    else
+    if (file.extension() != ".png") {
       writeExr(file, picture.width, picture.height, picture.linear, metadata);
+      continue;
+    }
+    writePng(file, picture.width, picture.height, picture.srgb, metadata);
+    for (std::size_t i = 0; i < picture.brackets.size(); ++i)
+      writePng(fileOfBracket(file, bracketsStops[i]), picture.width, picture.height,
+               picture.brackets[i], metadata);
   }
 }
 
@@ -90,15 +102,22 @@ void render(const Options& options) {
 
   gl::HeadlessContext const context;
   gl::prepareContext();
-  PictureRenderer renderer([](const std::string& file, const std::string& where) {
+  ImageSource const images = [](const std::string& file, const std::string& where) {
     return readImage(catalogsFolder() / file, where);
-  });
+  };
+  PictureRenderer renderer(images);
+  std::optional<PictureRenderer> meter;
+  if (session.scene().display.eye) meter.emplace(images);
   std::signal(SIGINT, onInterrupt);
   for (int frame = first; frame <= last; ++frame) {
     auto const start = std::chrono::steady_clock::now();
     auto const moment = session.at(frame);
-    FinishedPicture const picture = renderer.finish(moment.scene, moment.placed, moment.plan);
-    writeAll(options.outputs, frame, picture, session.metadata(moment));
+    std::optional<EyeState> eye;
+    if (meter) eye = eyeAtFrame(session, frame, *meter);
+    FinishedPicture const picture =
+        renderer.finish(moment.scene, moment.placed, moment.plan, eye ? &*eye : nullptr);
+    writeAll(options.outputs, frame, picture, session.scene().display.bracketsStops,
+             session.metadata(moment));
     std::chrono::duration<double> const took = std::chrono::steady_clock::now() - start;
     fmt::print("{}{} {:.2f} s\n",
                last > first ? fmt::format("[{}/{}] ", frame - first + 1, last - first + 1) : "",
@@ -120,7 +139,8 @@ void addRenderCommand(CLI::App& program) {
       ->required();
   command->add_option("-o,--output", options->outputs,
                       "Picture file, .png (sRGB) or .exr (absolute luminance); may be given twice; "
-                      "%02d takes the frame's number");
+                      "%02d takes the frame's number; each of a scene's brackets makes a PNG of "
+                      "its own, as dome_ev+2.png");
   command->add_option("--time", options->overrides.time,
                       "Instant instead of the scene's: 2027-08-02T10:05:06Z, or a contact, as "
                       "\"C2 2027-08-02 @25.687,32.640\"");

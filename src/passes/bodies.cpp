@@ -18,6 +18,7 @@
 #include "passes/eclipsed_source.h"
 #include "passes/refracted_light.h"
 #include "photometry/spectral_weights.h"
+#include "photometry/standard_spectra.h"
 #include "quantity/constants.h"
 
 namespace antumbra {
@@ -26,19 +27,15 @@ namespace {
 struct BodyBlock {  // std140, interface/body.glsl
   glm::vec4 scaledFromCamera[3];
   glm::vec4 scaledCrossFromCross[3];
-  glm::vec4 centre, up, heights, sun, trueSun, shape, albedo, mapFactor, night;
+  glm::vec4 centre, up, heights, sun, trueSun, shape, albedo, mapFactor, night, shine;
 };
 
-// Light of a Lommel-Seeliger sphere at a phase angle over that of the Moon's measured law
-// (Krisciunas & Schaefer 1991, PASP 103, 1033, eq. 9: V grows by 0.026 a + 4e-9 a^4 with a in
-// degrees), both 1 at full phase: the factor that gives the sphere the Moon's brightness.
-double lunarPhaseFactor(Angle phase) {
+// Light of a Lommel-Seeliger sphere at a phase angle over that at full phase.
+double lommelSeeligerSphere(Angle phase) {
   double const a = std::min(phase / degree, 170.0);
-  double const measured = std::pow(10.0, -0.4 * (0.026 * a + 4e-9 * a * a * a * a));
-  if (a < 1e-3) return measured;
+  if (a < 1e-3) return 1.0;
   double const h = 0.5 * a * degree.si;
-  double const sphere = 1.0 - std::sin(h) * std::tan(h) * std::log(1.0 / std::tan(0.5 * h));
-  return measured / sphere;
+  return 1.0 - std::sin(h) * std::tan(h) * std::log(1.0 / std::tan(0.5 * h));
 }
 
 std::string keyOf(const gl::Definitions& definitions) {
@@ -338,7 +335,12 @@ void BodiesPass::prepare(const PlannedBody& body, const Projection& picture, con
   block.mapFactor = glm::vec4(body.mapFactor, colour ? static_cast<float>(colour->width()) : 1.0f);
   Angle const phase = angleBetween(directionOf(body.sun),
                                    Direction<BodyFixed>{glm::normalize(turn * -body.centre.m)});
-  block.night = glm::vec4(body.nightLuminance, lunarPhaseFactor(phase), 0.0, 0.0);
+  block.night =
+      glm::vec4(body.nightLuminance, body.phaseLight / lommelSeeligerSphere(phase), 0.0, 0.0);
+  // Of what shines from near the camera, the phase is that of full light.
+  static double const solarLux = xyzOfRelativeRadiance([](Length) { return 1.0; }).y;
+  block.shine = glm::vec4(glm::vec3(glm::normalize(stretch * body.shineDirection.u)),
+                          static_cast<float>(body.shineLux / (solarLux * irradiance)));
   resident.block.write(block);
 
   resident.tiles = bodyTiles(picture, body.bounds, scaledFromCamera, resident.up, resident.sun,
@@ -411,6 +413,8 @@ void BodiesPass::draw(const PlannedBody& body, const Projection& picture, glm::i
   }
   glBindVertexArray(0);
   glDisable(GL_BLEND);
+  // Left at two sources, even disabled, drawing into two targets would be refused.
+  glBlendFunc(GL_ONE, GL_ZERO);
   glDisable(GL_SCISSOR_TEST);
 }
 

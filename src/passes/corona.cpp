@@ -25,6 +25,9 @@ bool CoronaPass::draw(const Projection& projection, const SunInView& sun, const 
   program_.set("flattening", static_cast<float>(glsl::flatteningOfActivity(look.activity)))
       .set("centreLuminance", glm::vec3(centreLuminance))
       .set("fade", glm::vec2(kCoronaEnd * 2.0 / 3.0, kCoronaEnd))
+      .set("streamers", look.streamers ? 1.0f : 0.0f)
+      .set("activity", static_cast<float>(look.activity))
+      .set("prominenceCount", look.prominences)
       .set("finestSamples", std::clamp(static_cast<int>(std::ceil(4.0 + 36.0 * pixel)), 4, 16));
   program_.use();
   gl::drawFullScreen();

@@ -14,6 +14,8 @@ namespace antumbra {
 struct CoronaLook {
   // Phase of the solar cycle: 0 at minimum (flattened), 1 at maximum (round).
   double activity = 0.5;
+  bool streamers = false;  // coronaStructure
+  int prominences = 0;
 };
 
 class CoronaPass {

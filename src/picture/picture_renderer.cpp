@@ -56,6 +56,21 @@ SpheroidInView spheroidOf(const PlannedBody& body) {
           body.equatorialRadius, body.polarRadius};
 }
 
+// Copies a tile, first row at the bottom, into its place of a picture whose first row is at the
+// top.
+template <class Value>
+void placeTile(const std::vector<Value>& tile, glm::ivec2 origin, glm::ivec2 size,
+               const FinishedPicture& picture, std::vector<Value>& into) {
+  auto const count = static_cast<std::ptrdiff_t>(size.x) * 3;
+  for (int row = 0; row < size.y; ++row) {
+    auto const to =
+        (static_cast<std::ptrdiff_t>(picture.height - 1 - (origin.y + row)) * picture.width +
+         origin.x) *
+        3;
+    std::copy_n(tile.begin() + row * count, count, into.begin() + to);
+  }
+}
+
 }  // namespace
 
 // What is compiled once for each projection.
@@ -84,6 +99,10 @@ struct PictureRenderer::State {
   PictureCounters counters;
   PassObserver observer;
   std::optional<Exposure> liveExposure;
+  std::optional<EyeState> liveEye;
+  MeterReading liveReading;  // the eye's last
+  Duration liveElapsed;      // since then
+  CoronaLook corona;
   std::unique_ptr<SunOcclusion> occlusion;
   std::optional<VisibleSun> visibleSun;
   SunlightThroughAir throughAir;
@@ -140,6 +159,20 @@ struct PictureRenderer::State {
       });
   }
 
+  // The Sun beside the picture: its visible part from the outlines alone. The eye's own field ends
+  // 90 degrees from where it looks; from 60 degrees on its light fades.
+  void sunBesidePicture(const RenderPlan& plan, LimbDarkeningLaw law) {
+    SunInView const sun = sunInView(plan, law);
+    SunPlane const plane(sun);
+    std::vector<SpheroidInView> coverers;
+    for (auto const& c : plan.sunCoverers)
+      coverers.push_back({c.centre, c.pole, c.equatorialRadius, c.polarRadius});
+    visibleSun = analyticVisibleSun(plane, sun.law, plane.silhouettes(coverers));
+    double const cosine = -plan.sun.direction.u.z;
+    visibleSun->light *= glm::smoothstep(0.0, 0.5, cosine);
+    airBeforeSun = throughAir.share(plan);
+  }
+
   // Makes resident what a picture needs, and what belongs to its instant alone.
   void prepare(const Scene& scene, const PlacedScene& placed, const RenderPlan& plan) {
     stars = starPoints(scene, placed);
@@ -157,6 +190,9 @@ struct PictureRenderer::State {
     }
     visibleSun.reset();
     if (plan.queryOcclusion) askForSun(plan, look.law);
+    if (plan.glareFromOutside) sunBesidePicture(plan, look.law);
+    corona = {scene.sun.activity.value_or(solarActivity(placed.when)), scene.sun.streamers,
+              scene.sun.prominences};
     counters.tablesBuilt = bodies->tablesBuilt();
     counters.shadowPairs = bodies->shadowPairs();
   }
@@ -217,7 +253,7 @@ struct PictureRenderer::State {
       auto const discs = plane.silhouettes(airless);
       auto const wide = plane.silhouettes(airless, kCoronaEnd);
       run("sun", [&] { passes.sun.draw(plan.picture, sun, plane, discs, origin); });
-      run("corona", [&] { passes.corona.draw(plan.picture, sun, plane, wide, {}, origin); });
+      run("corona", [&] { passes.corona.draw(plan.picture, sun, plane, wide, corona, origin); });
     }
     drawBodies(firstAir, plan.bodies.end());
     if (visibleSun) {
@@ -247,8 +283,20 @@ struct PictureRenderer::State {
     drawDrawing("overlay clock", overlays.clock, clock);
   }
 
-  Exposure exposureOf(const Scene& scene, const MeterReading& reading) const {
+  // What the tone map has drawn, first row at the bottom.
+  std::vector<std::uint8_t> displayed(int w, int h) const {
+    std::vector<std::uint8_t> srgb(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 3);
+    glGetTextureImage(display.id(), 0, GL_RGB, GL_UNSIGNED_BYTE, static_cast<GLsizei>(srgb.size()),
+                      srgb.data());
+    return srgb;
+  }
+
+  Exposure exposureOf(const Scene& scene, const MeterReading& reading,
+                      const EyeState* eye = nullptr) const {
     if (!scene.display.automaticExposure) return {scene.display.whiteLuminance};
+    if (scene.display.eye)
+      return antumbra::exposureOf(eye ? *eye
+                                      : steadyEye(reading, {scene.display.compensationStops}));
     return exposureFor(reading, {scene.display.compensationStops});
   }
 };
@@ -257,8 +305,17 @@ PictureRenderer::PictureRenderer(ImageSource images, Mode mode)
     : state_(std::make_unique<State>(std::move(images), mode)) {}
 PictureRenderer::~PictureRenderer() = default;
 
+MeterReading PictureRenderer::meter(const Scene& scene, const PlacedScene& placed,
+                                    const RenderPlan& plan) {
+  State& s = *state_;
+  s.resize(plan.picture.width, plan.picture.height);
+  s.prepare(scene, placed, plan);
+  s.drawTile(scene, plan, {0, 0});
+  return s.passesFor(plan.picture.kind).toneMap.measure(s.linear);
+}
+
 FinishedPicture PictureRenderer::finish(const Scene& scene, const PlacedScene& placed,
-                                        const RenderPlan& plan) {
+                                        const RenderPlan& plan, const EyeState* eye) {
   State& s = *state_;
   int const width = plan.picture.width, height = plan.picture.height;
   if (double(width) * height > kMostPixels)
@@ -280,7 +337,7 @@ FinishedPicture PictureRenderer::finish(const Scene& scene, const PlacedScene& p
     s.resize(copy.picture.width, copy.picture.height);
     s.prepare(scene, placed, copy);
     s.drawTile(scene, copy, {0, 0});
-    exposure = s.exposureOf(scene, toneMap.measure(s.linear));
+    exposure = s.exposureOf(scene, toneMap.measure(s.linear), eye);
   }
 
   s.prepare(scene, placed, plan);
@@ -290,32 +347,27 @@ FinishedPicture PictureRenderer::finish(const Scene& scene, const PlacedScene& p
   auto const pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   picture.linear.resize(pixels * 3);
   picture.srgb.resize(pixels * 3);
+  picture.brackets.assign(scene.display.bracketsStops.size(),
+                          std::vector<std::uint8_t>(pixels * 3));
   for (int y = 0; y < height; y += largest)
     for (int x = 0; x < width; x += largest) {
       int const w = std::min(largest, width - x), h = std::min(largest, height - y);
       s.resize(w, h);
       s.drawTile(scene, plan, {x, y});
-      if (!tiled) exposure = s.exposureOf(scene, toneMap.measure(s.linear));
+      if (!tiled) exposure = s.exposureOf(scene, toneMap.measure(s.linear), eye);
       s.run("tone map", [&] { toneMap.apply(s.linear, exposure, &s.displayTarget, {x, y}); });
       s.drawOverlays(plan, {x, y});
       std::vector<float> linear(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 3);
-      std::vector<std::uint8_t> srgb(linear.size());
       glGetTextureImage(s.linear.id(), 0, GL_RGB, GL_FLOAT,
                         static_cast<GLsizei>(linear.size() * sizeof(float)), linear.data());
-      glGetTextureImage(s.display.id(), 0, GL_RGB, GL_UNSIGNED_BYTE,
-                        static_cast<GLsizei>(srgb.size()), srgb.data());
-      // Rows from the bottom up become rows from the top down.
-      for (int row = 0; row < h; ++row) {
-        auto const from = static_cast<std::size_t>(row) * static_cast<std::size_t>(w) * 3;
-        auto const to =
-            (static_cast<std::size_t>(height - 1 - (y + row)) * static_cast<std::size_t>(width) +
-             static_cast<std::size_t>(x)) *
-            3;
-        auto const count = static_cast<std::ptrdiff_t>(w) * 3;
-        std::copy_n(linear.begin() + static_cast<std::ptrdiff_t>(from), count,
-                    picture.linear.begin() + static_cast<std::ptrdiff_t>(to));
-        std::copy_n(srgb.begin() + static_cast<std::ptrdiff_t>(from), count,
-                    picture.srgb.begin() + static_cast<std::ptrdiff_t>(to));
+      placeTile(linear, {x, y}, {w, h}, picture, picture.linear);
+      placeTile(s.displayed(w, h), {x, y}, {w, h}, picture, picture.srgb);
+      for (std::size_t i = 0; i < picture.brackets.size(); ++i) {
+        Exposure bracket = exposure;
+        bracket.whiteLuminance *= std::exp2(-scene.display.bracketsStops[i]);
+        toneMap.apply(s.linear, bracket, &s.displayTarget, {x, y});
+        s.drawOverlays(plan, {x, y});
+        placeTile(s.displayed(w, h), {x, y}, {w, h}, picture, picture.brackets[i]);
       }
     }
   picture.whiteLuminance = exposure.whiteLuminance;
@@ -331,6 +383,18 @@ void PictureRenderer::show(const Scene& scene, const PlacedScene& placed, const 
   s.drawTile(scene, plan, {0, 0});
   if (!scene.display.automaticExposure) {
     s.liveExposure = Exposure{scene.display.whiteLuminance};
+  } else if (scene.display.eye) {
+    AutomaticExposure const settings{scene.display.compensationStops};
+    s.liveElapsed = s.liveElapsed + sinceLast;
+    if (!s.liveEye) {
+      s.liveReading = toneMap.measure(s.linear);
+      s.liveEye = steadyEye(s.liveReading, settings);
+    } else if (auto const reading = toneMap.measureWithoutWaiting(s.linear)) {
+      s.liveEye = adaptedEye(*s.liveEye, s.liveReading, *reading, s.liveElapsed, settings);
+      s.liveReading = *reading;
+      s.liveElapsed = Duration();
+    }
+    s.liveExposure = exposureOf(*s.liveEye);
   } else if (!s.liveExposure) {
     s.liveExposure = s.exposureOf(scene, toneMap.measure(s.linear));
   } else if (auto const reading = toneMap.measureWithoutWaiting(s.linear)) {

@@ -13,6 +13,7 @@
 #include "plan/render_plan.h"
 #include "scene/placed_scene.h"
 #include "scene/scene.h"
+#include "tonemap/eye_adaptation.h"
 
 namespace antumbra {
 
@@ -22,6 +23,8 @@ struct FinishedPicture {
   std::vector<std::uint8_t> srgb;  // three components, first row at the top
   std::vector<float> linear;       // cd/m2 in linear sRGB, first row at the top
   double whiteLuminance = 0.0;     // shown as white, cd/m2
+  // As `srgb`, at each of the scene's bracketed exposures.
+  std::vector<std::vector<std::uint8_t>> brackets;
 };
 
 // What was really done, to hold against the plan.
@@ -41,7 +44,11 @@ class PictureRenderer {
 
   // Whole picture to memory, in tiles where the device is smaller. Throws InputError beyond 2^28
   // pixels, and for files that cannot be read.
-  FinishedPicture finish(const Scene& scene, const PlacedScene& placed, const RenderPlan& plan);
+  // `eye`: the state of the observer's eye; without one, an eye is steady in this picture's light.
+  FinishedPicture finish(const Scene& scene, const PlacedScene& placed, const RenderPlan& plan,
+                         const EyeState* eye = nullptr);
+  // Draws the picture, which is to be small, for its exposure meter alone.
+  MeterReading meter(const Scene& scene, const PlacedScene& placed, const RenderPlan& plan);
   // Draws into a framebuffer (0: the window's), of the picture's size.
   void show(const Scene& scene, const PlacedScene& placed, const RenderPlan& plan,
             unsigned framebuffer, Duration sinceLast);

@@ -59,6 +59,14 @@ struct PlannedBody {
   double nightLuminance = 0;  // cd/m2 of the night map's full scale
   glm::vec3 mapFactor{1.0f};  // on the map's linear values, where the map is relative
   bool lommelSeeliger = false;
+  // Light of the whole body at its phase angle from the camera over that at full phase, by its
+  // magnitude law: what a Lommel-Seeliger sphere is scaled to.
+  double phaseLight = 1.0;
+  // Sunlight reflected toward it by the body that sends most: direction to that, body-fixed axes,
+  // and illuminance in lux (0: none worth drawing).
+  std::string shineFrom;
+  Direction<BodyFixed> shineDirection{{0.0, 0.0, 1.0}};
+  double shineLux = 0.0;
   bool cameraInAir = false;
 
   // Drawn after the Sun, which its air or rings dim.

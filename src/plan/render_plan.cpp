@@ -120,6 +120,37 @@ bool coversSun(const PlacedScene& placed, const PlacedBody& body, const PlacedBo
                       directionOf(placed.cameraFromIcrs(sun.fromCamera))) < disc + sunDisc;
 }
 
+// Light of a body at a phase angle over that at full phase; beyond the span of its law as at the
+// span's end.
+double phaseLight(const Body& body, Angle phase) {
+  Length const au = astronomicalUnit;
+  if (body.magnitude.intervals.empty()) return 1.0;
+  Angle const known = std::min(phase, body.magnitude.intervals.back().to);
+  auto const full = body.magnitude.apparent(Angle(0.0), au, au);
+  auto const here = body.magnitude.apparent(known, au, au);
+  return full && here ? std::pow(10.0, -0.4 * (*here - *full)) : 1.0;
+}
+
+// The body whose reflected sunlight is brightest on another, where it reaches a millilux.
+// To be honest: one source, a point, of the brightness it has toward the receiver's centre without
+// shadows on it; bodies with air get none (their air would scatter it too).
+void addPlanetshine(const PlacedScene& placed, const PlacedBody& receiver, PlannedBody& planned) {
+  if (!planned.atmosphere.empty()) return;
+  for (auto const& source : placed.bodies) {
+    if (&source == &receiver || source.body->kind == "star") continue;
+    auto const to = source.fromAnchor - receiver.fromAnchor;
+    Angle const phase = angleBetween(source.sunFromBody, -to);
+    auto const magnitude =
+        source.body->magnitude.apparent(phase, norm(source.sunFromBody), norm(to));
+    if (!magnitude) continue;
+    double const lux = illuminanceLuxOfMagnitude(*magnitude);
+    if (lux < 1e-3 || lux <= planned.shineLux) continue;
+    planned.shineLux = lux;
+    planned.shineFrom = source.body->name;
+    planned.shineDirection = receiver.bodyFromIcrs(directionOf(to));
+  }
+}
+
 }  // namespace
 
 RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
@@ -151,7 +182,16 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
       continue;
     }
     bool const isAnchor = i == placed.anchor;
-    if (diameter < kPointPixels && !isAnchor && !(sun && coversSun(placed, b, *sun))) {
+    bool const beforeSun = sun && coversSun(placed, b, *sun);
+    if (beforeSun) {
+      ShadowRadii const radii = convention.radiiOf(b.body->name, b.body->equatorialRadius);
+      plan.sunCoverers.push_back(
+          {inCamera,
+           (placed.cameraFromIcrs * b.bodyFromIcrs.inverse())(Direction<BodyFixed>{{0, 0, 1}}),
+           radii.casterUmbra,
+           b.body->polarRadius * (radii.casterUmbra / b.body->equatorialRadius)});
+    }
+    if (diameter < kPointPixels && !isAnchor && !beforeSun) {
       if (!overlapsPicture(picture, direction, picture.pixelAngle())) {
         plan.leftOut.push_back({b.body->name, "outside the picture"});
         continue;
@@ -208,6 +248,11 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
     if (b.body->surface.mapMean) p.mapFactor = p.albedo / *b.body->surface.mapMean;
     p.lommelSeeliger = b.body->surface.scattering == Surface::Scattering::LommelSeeliger;
     p.casters = liveCasters(b, convention, plan);
+    p.phaseLight = phaseLight(*b.body, phaseAngle(b));
+    addPlanetshine(placed, b, p);
+    if (p.shineLux > 0.0)
+      plan.drawn.push_back({b.body->name, fmt::format("also lit by {}, {:.3g} lx at most",
+                                                      p.shineFrom, p.shineLux)});
     plan.drawn.push_back({b.body->name, isAnchor ? fmt::format("the camera is {:.3f} km above it",
                                                                p.cameraHeight / kilometre)
                                                  : fmt::format("a disc of {}", pixels(diameter))});
@@ -239,6 +284,9 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
                                                ? "its disc is in the picture"
                                                : "its corona reaches into the picture"});
   plan.queryOcclusion = plan.drawSun && plan.sun.inPicture && !scene.display.illustrative;
+  plan.glareFromOutside =
+      !plan.sun.inPicture && !plan.sun.hiddenByBody && !scene.display.illustrative &&
+      angleBetween(plan.sun.direction, Direction<CameraAxes>{{0, 0, -1}}) < 90.0 * degree;
 
   std::set<std::string> media;
   for (auto const& b : plan.bodies) {
@@ -288,6 +336,8 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
                                                    ? "the Sun is wholly behind " + plan.sun.hiddenBy
                                                    : "the illustrative look has no glare"});
   if (plan.queryOcclusion) passes.push_back({"glare", "the uncovered part of the Sun dazzles"});
+  if (plan.glareFromOutside)
+    passes.push_back({"glare", "the Sun beside the picture dazzles; its visible part by outlines"});
   passes.push_back({"tone map", "to the display"});
   plan.overlays = planOverlays(scene, placed, plan.bodies);
   passes.insert(passes.end(), plan.overlays.passes.begin(), plan.overlays.passes.end());

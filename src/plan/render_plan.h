@@ -33,14 +33,24 @@ struct PlannedSun {
   PixelBounds bounds;  // of its disc
 };
 
+// A body that may cover a part of the Sun's disc, in the picture or outside.
+struct SunCoverer {
+  Displacement<CameraAxes> centre;
+  Direction<CameraAxes> pole;
+  Length equatorialRadius;
+  Length polarRadius;
+};
+
 struct RenderPlan {
   Projection picture;
   std::vector<PlannedBody> bodies;  // discs, far to near; the camera's own body last
   std::vector<PlannedPoint> points;
   PlannedSun sun;
+  std::vector<SunCoverer> sunCoverers;
   bool drawSun = false;
   bool queryOcclusion = false;
-  PlannedOverlays overlays;  // above the tone-mapped picture
+  PlannedOverlays overlays;       // above the tone-mapped picture
+  bool glareFromOutside = false;  // the Sun before the camera but outside the picture
 
   std::vector<Reason> drawn;    // bodies and points
   std::vector<Reason> tables;   // atmosphere tables to have resident, by medium

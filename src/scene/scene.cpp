@@ -76,6 +76,19 @@ DisplaySettings readDisplay(const Table& table) {
   d.limitingMagnitude = table.number("limiting_magnitude", d.limitingMagnitude);
   d.illustrative =
       table.has("look") && table.oneOf("look", {"natural", "illustrative"}) == "illustrative";
+  d.eye = table.has("observer") && table.oneOf("observer", {"camera", "eye"}) == "eye";
+  if (d.eye && !d.automaticExposure)
+    table.fail("observer", "found \"eye\" with a fixed exposure; allowed: exposure = \"auto\"");
+  if (table.has("brackets")) {
+    d.bracketsStops = table.numbers("brackets");
+    if (d.eye) table.fail("brackets", "an eye has none; allowed: with observer = \"camera\"");
+    if (d.bracketsStops.empty() || d.bracketsStops.size() > 15)
+      table.fail("brackets",
+                 fmt::format("found {} of them; allowed: 1 to 15", d.bracketsStops.size()));
+    for (double stops : d.bracketsStops)
+      if (!(std::fabs(stops) <= 30.0))
+        table.fail("brackets", fmt::format("found {}; allowed: -30 to 30 stops", stops));
+  }
   return d;
 }
 
@@ -181,6 +194,7 @@ Scene readScene(const Table& table) {
             : "hestroffer";
   }
   if (auto const overlays = table.tableIfPresent("overlays")) s.overlays = readOverlays(*overlays);
+  if (auto const sun = table.tableIfPresent("sun")) s.sun = readSunSettings(*sun);
   if (auto const animation = table.tableIfPresent("animation")) {
     s.frames = static_cast<int>(animation->integer("frames"));
     if (s.frames < 1)

@@ -26,13 +26,12 @@
 //   compensation = 0.0                       # stops, brighter when positive
 //   look = "natural"                         # or "illustrative"
 //   limiting_magnitude = 6.5                 # faintest stars drawn, V
-//   [shadows]
-//   convention = "iau"                       # or "nasa": radii of Sun and Moon
-//   limb_darkening = "hestroffer"            # "neckel", "none"
-//   [overlays]                               # curves, cones, clock: scene/overlay_settings.h
-//   central_line = true
-//   [animation]
-//   frames = 12
+//   observer = "camera"                      # or "eye": adapts in time, sees with rods in the dark
+//   brackets = [-2, 0, 2]                    # camera: a PNG for each, stops, brighter when
+//   positive [sun]                                    # scene/sun_settings.h [shadows] convention =
+//   "iau"                       # or "nasa": radii of Sun and Moon limb_darkening = "hestroffer" #
+//   "neckel", "none" [overlays]                               # curves, cones, clock:
+//   scene/overlay_settings.h central_line = true [animation] frames = 12
 //   [[keyframe]]                             # interpolated smoothly between; heights geometrically
 //   frame = 0
 //   height = "20000 km"
@@ -47,6 +46,7 @@
 #include "document/document.h"
 #include "quantity/quantity.h"
 #include "scene/overlay_settings.h"
+#include "scene/sun_settings.h"
 #include "time/instant.h"
 #include "view/projection.h"
 
@@ -76,6 +76,8 @@ struct DisplaySettings {
   double compensationStops = 0.0;
   bool illustrative = false;
   double limitingMagnitude = 6.5;
+  bool eye = false;                   // adaptation in time (tonemap/eye_adaptation.h)
+  std::vector<double> bracketsStops;  // of a camera; empty: one exposure
 };
 
 struct ShadowSettings {
@@ -101,6 +103,7 @@ struct Scene {
   DisplaySettings display;
   ShadowSettings shadows;
   OverlaySettings overlays;
+  SunSettings sun;
   std::string quality = "balanced";
   int frames = 1;
   std::vector<Keyframe> keyframes;

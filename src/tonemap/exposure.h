@@ -10,6 +10,7 @@
 // does not depend on those before it.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "quantity/quantity.h"
@@ -19,6 +20,8 @@ namespace antumbra {
 // Display white in cd/m2; what is below the tone curve's knee is shown in proportion to it.
 struct Exposure {
   double whiteLuminance = 1.0e4;
+  // An eye: luminance that its rods can just see, cd/m2. A camera has none.
+  std::optional<double> rodThreshold = std::nullopt;
 };
 
 // `ev100`: exposure value at ISO 100. A reflected-light meter (ISO 2720, K = 12.5) puts the

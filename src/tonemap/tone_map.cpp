@@ -94,6 +94,7 @@ void ToneMap::apply(const gl::Texture& picture, Exposure exposure, const gl::Fra
   display_.set("perCandela", static_cast<float>(1.0 / exposure.whiteLuminance))
       .set("channelGains", channelGains_)
       .set("tileOrigin", glm::vec2(tileOrigin))
+      .set("rodThreshold", static_cast<float>(exposure.rodThreshold.value_or(-1.0)))
       .set("ditherSteps", dither ? 1.0f : 0.0f);
   gl::drawFullScreen();
 }

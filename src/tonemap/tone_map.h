@@ -34,7 +34,7 @@ class ToneMap {
 
   // Draws `picture` (or a tile of it that begins at `tileOrigin`) into `target` of the same size,
   // an RGBA8 texture or a window (framebuffer already bound, null). Opaque. `dither` off is for
-  // tests.
+  // tests. Where the exposure is an eye's, its rods take part (shaders/shared/night_vision.glsl).
   void apply(const gl::Texture& picture, Exposure exposure, const gl::Framebuffer* target,
              glm::ivec2 tileOrigin = {0, 0}, bool dither = true);
 

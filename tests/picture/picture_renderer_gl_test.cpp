@@ -152,5 +152,70 @@ TEST_F(GlTest, OverlaysAreDrawnOverTheDisplayedPictureOnly) {
   EXPECT_LT(changed, 1200);
 }
 
+// The meter's readings, and so the eye's state, are the same in whatever order they are taken.
+TEST_F(GlTest, MeterReadingsDoNotDependOnTheirOrder) {
+  Scene const scene = smallDome();
+  auto const read = [&](PictureRenderer& renderer, const char* time) {
+    auto const placed = placeScene(scene, parseInstant(time, "test"), BodyCatalogue::standard(),
+                                   Ephemeris::standard(), DeltaT::standard());
+    return renderer.meter(scene, placed, makeRenderPlan(scene, placed)).meanLuminance;
+  };
+  const char *const first = "2027-08-02T10:01:30Z", *const second = "2027-08-02T10:05:06Z";
+  PictureRenderer forwards(greyMap), backwards(greyMap);
+  double const a = read(forwards, first), b = read(forwards, second);
+  double const d = read(backwards, second), c = read(backwards, first);
+  EXPECT_EQ(a, c);  // the thin crescent's halo is there after a picture of totality, too
+  EXPECT_EQ(b, d);
+  EXPECT_GT(a, 3.0 * b);
+}
+
+// Planets and stars by luminance: Venus stands out of totality's sky and not of day's.
+TEST_F(GlTest, VenusComesOutInTotality) {
+  Scene scene = smallDome();
+  scene.camera.target = "Venus";
+  scene.camera.up = CameraPlacement::Up::Zenith;
+  scene.picture = {ProjectionKind::Perspective, 4.0 * degree, 65, 65};
+  PictureRenderer renderer(greyMap);
+  auto const contrast = [&](const char* time) {
+    Drawn const d = draw(scene, time, renderer);
+    double centre = 0.0, sky = 0.0;
+    for (int y = 31; y <= 33; ++y)
+      for (int x = 31; x <= 33; ++x)
+        centre += d.picture.linear[static_cast<std::size_t>(y * 65 + x) * 3 + 1] / 9.0;
+    for (int x = 20; x < 29; ++x)
+      sky += d.picture.linear[static_cast<std::size_t>(33 * 65 + x) * 3 + 1] / 9.0;
+    return centre / sky;
+  };
+  EXPECT_GT(contrast("2027-08-02T10:05:06Z"), 2.0);
+  EXPECT_LT(contrast("2027-08-02T09:00:00Z"), 1.05);
+}
+
+// The halo of a Sun that has just left the picture goes on where it was.
+TEST_F(GlTest, GlareGoesOnWhenTheSunLeavesThePicture) {
+  Scene scene = smallDome();
+  scene.bodies = {"Moon"};
+  scene.camera.body = "Moon";
+  scene.camera.latitude = 0.0 * degree;
+  scene.camera.longitude = 0.0 * degree;
+  scene.camera.height = 2.0 * metre;
+  scene.camera.target = "Sun";
+  scene.picture = {ProjectionKind::Perspective, 60.0 * degree, 61, 61};
+  std::string const day = "2027-08-17T10:05:06Z";
+  PictureRenderer renderer(greyMap);
+  // The same direction of the sky, 8 degrees below the upper edge, with the Sun just inside the
+  // picture and just outside.
+  auto const near = [&](double tilt) {
+    scene.camera.tilt = tilt * degree;
+    Drawn const d = draw(scene, day, renderer);
+    double const t = std::tan((tilt - 8.0) * M_PI / 180.0) / std::tan(M_PI / 6.0);
+    int const row = static_cast<int>(std::lround(30.0 - 30.5 * t));
+    return double{d.picture.linear[static_cast<std::size_t>(row * 61 + 30) * 3 + 1]};
+  };
+  double const inside = near(29.0), outside = near(31.0);
+  EXPECT_GT(inside, 0.0);
+  // Half a pixel of the halo's own slope there.
+  EXPECT_NEAR(outside / inside, 1.0, 0.15);
+}
+
 }  // namespace
 }  // namespace antumbra

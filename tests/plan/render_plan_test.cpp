@@ -119,5 +119,36 @@ TEST(RenderPlan, RefusesToStandOnTheSunAndNamesTheLine) {
   EXPECT_THROW(planOf(scene, "2027-08-02T10:05:06Z"), InputError);
 }
 
+// In totality the Moon shows its night side to us, and the full Earth to it: 10 to 20 lx, sixty
+// times a full Moon's 0.25 lx on the Earth (area 13.4, albedo about 3.5 to 5).
+TEST(RenderPlan, TheMoonIsLitByTheFullEarthInTotality) {
+  RenderPlan const plan = planOf(shipped("luxor_dome"), "2027-08-02T10:05:06Z");
+  bool found = false;
+  for (auto const& body : plan.bodies)
+    if (body.name == "Moon") {
+      found = true;
+      EXPECT_EQ(body.shineFrom, "Earth");
+      EXPECT_GT(body.shineLux, 10.0);
+      EXPECT_LT(body.shineLux, 20.0);
+    } else {
+      EXPECT_EQ(body.shineLux, 0.0) << body.name;  // the Earth has air
+    }
+  EXPECT_TRUE(found);
+  EXPECT_THAT(explain(plan), HasSubstr("also lit by Earth"));
+}
+
+TEST(RenderPlan, TheSunBesideThePictureDazzlesUnlessItIsBehindTheCamera) {
+  Scene scene = onTheMoon();
+  scene.bodies = {};
+  scene.picture = {ProjectionKind::Perspective, 20.0 * degree, 64, 64};
+  scene.camera.target = "Sun";
+  std::string const day = "2027-08-17T10:05:06Z";  // full Moon: the Sun is up on the near side
+  EXPECT_FALSE(planOf(scene, day).glareFromOutside);
+  scene.camera.tilt = 30.0 * degree;
+  EXPECT_TRUE(planOf(scene, day).glareFromOutside);
+  scene.camera.tilt = 120.0 * degree;
+  EXPECT_FALSE(planOf(scene, day).glareFromOutside);
+}
+
 }  // namespace
 }  // namespace antumbra

@@ -65,6 +65,46 @@ TEST(Scene, RefusesWithFileLineAndWhatIsAllowed) {
       AllOf(HasSubstr("found 3"), HasSubstr("0 to 2")));
 }
 
+TEST(Scene, ReadsAndRefusesTheObserverAndTheSun) {
+  using testing::AllOf;
+  using testing::HasSubstr;
+  std::string const base = kHead + kCamera + kPicture;
+  Scene const s = parse(base +
+                        "[display]\nbrackets = [-3, 0, 2.5]\n[sun]\nactivity = 0.8\n"
+                        "corona = \"streamers\"\nprominences = 5\n");
+  EXPECT_EQ(s.display.bracketsStops, (std::vector<double>{-3.0, 0.0, 2.5}));
+  EXPECT_DOUBLE_EQ(*s.sun.activity, 0.8);
+  EXPECT_TRUE(s.sun.streamers);
+  EXPECT_EQ(s.sun.prominences, 5);
+  EXPECT_TRUE(parse(base + "[display]\nobserver = \"eye\"\n").display.eye);
+  EXPECT_THAT(refusal(base + "[display]\nobserver = \"owl\"\n"),
+              AllOf(HasSubstr("s.toml:15"), HasSubstr("owl"), HasSubstr("camera")));
+  EXPECT_THAT(refusal(base + "[display]\nexposure = \"fixed\"\nwhite = 3\nobserver = \"eye\"\n"),
+              AllOf(HasSubstr("s.toml:17"), HasSubstr("auto")));
+  EXPECT_THAT(refusal(base + "[display]\nobserver = \"eye\"\nbrackets = [1]\n"),
+              HasSubstr("camera"));
+  EXPECT_THAT(refusal(base + "[display]\nbrackets = [99]\n"),
+              AllOf(HasSubstr("found 99"), HasSubstr("-30 to 30")));
+  EXPECT_THAT(refusal(base + "[sun]\nactivity = 1.5\n"),
+              AllOf(HasSubstr("s.toml:15"), HasSubstr("1.5"), HasSubstr("0 (minimum")));
+  EXPECT_THAT(refusal(base + "[sun]\nprominences = 99\n"), HasSubstr("0 to 24"));
+  EXPECT_THAT(refusal(base + "[sun]\ncorona = \"big\"\n"), HasSubstr("streamers"));
+  EXPECT_THAT(refusal(base + "[sun]\nspots = 3\n"), HasSubstr("unknown key"));
+}
+
+// Minima and maxima of the smoothed sunspot number (SILSO): December 2008, April 2014.
+TEST(SolarActivity, FollowsTheSunspotCycle) {
+  auto const at = [](const char* time) { return solarActivity(parseInstant(time, "test")); };
+  EXPECT_LT(at("2008-12-15T00:00:00Z"), 0.001);
+  EXPECT_GT(at("2014-04-15T00:00:00Z"), 0.999);
+  EXPECT_NEAR(at("2011-08-15T00:00:00Z"), 0.5, 0.02);
+  EXPECT_NEAR(at("2027-08-02T10:00:00Z"), 0.6, 0.15);  // on the way down
+  for (const char* far : {"1000-01-01T00:00:00Z", "2600-01-01T00:00:00Z"}) {
+    EXPECT_GE(at(far), 0.0);
+    EXPECT_LE(at(far), 1.0);
+  }
+}
+
 TEST(Scene, KeyframesFallGeometricallyAndNeverOvershoot) {
   Scene const s = parse(kHead + kCamera + kPicture +
                         "[animation]\nframes = 12\n[[keyframe]]\nframe = 0\nheight = \"20000 km\"\n"

@@ -1,6 +1,7 @@
 // The corona's profile against published totals, and its shape.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -90,6 +91,49 @@ TEST(Chromosphere, MeansAddUp) {
   EXPECT_NEAR(glsl::chromosphereBetween(1.0, 1.0 + 1e-7), glsl::kChromosphereBase,
               1e-4 * glsl::kChromosphereBase);
   EXPECT_NEAR(glsl::luminanceOfColour(glsl::chromosphereColour()), 1.0, 0.01);
+}
+
+// Invented structure leaves the measured mean alone, and light positive.
+TEST(Corona, StructureKeepsTheMeanAtEveryDistance) {
+  for (double activity : {0.0, 0.5, 1.0})
+    for (double r : {1.0, 1.05, 1.3, 2.0, 2.5, 4.0, 10.0}) {
+      double sum = 0.0, least = 1.0, most = 1.0;
+      constexpr int kSteps = 7200;
+      for (int i = 0; i < kSteps; ++i) {
+        double const f = glsl::coronaStructure(r, 2.0 * std::numbers::pi * i / kSteps, activity);
+        sum += f / kSteps;
+        least = std::min(least, f);
+        most = std::max(most, f);
+      }
+      EXPECT_NEAR(sum, 1.0, 1e-3) << r << ", activity " << activity;
+      EXPECT_GT(least, 0.0) << r << ", activity " << activity;
+      EXPECT_LT(most, 6.0) << r << ", activity " << activity;
+    }
+}
+
+// Streamers gather at the equator at minimum and lie at all latitudes at maximum.
+TEST(Corona, StructureFollowsTheCycle) {
+  auto const share = [](double activity) {
+    double equator = 0.0, all = 0.0;
+    for (double a = 0.0; a < 2.0 * std::numbers::pi; a += 1e-3) {
+      double const f = glsl::coronaStructure(2.0, a, activity);
+      all += f;
+      if (std::fabs(std::sin(a)) < 0.5) equator += f;
+    }
+    return equator / all;
+  };
+  EXPECT_GT(share(0.0), share(1.0) + 0.1);
+}
+
+TEST(Corona, ProminencesStandOnTheLimb) {
+  double brightest = 0.0;
+  for (double a = 0.0; a < 2.0 * std::numbers::pi; a += 1e-3) {
+    brightest = std::max(brightest, glsl::prominences(0.02, a, 7));
+    EXPECT_LT(glsl::prominences(0.2, a, 24), 1e-9);
+    EXPECT_EQ(glsl::prominences(0.02, a, 0), 0.0);
+  }
+  EXPECT_GT(brightest, 0.3 * glsl::kProminence);
+  EXPECT_LT(brightest, 3.0 * glsl::kProminence);
 }
 
 }  // namespace
