@@ -27,11 +27,16 @@
 //   look = "natural"                         # or "illustrative"
 //   limiting_magnitude = 6.5                 # faintest stars drawn, V
 //   observer = "camera"                      # or "eye": adapts in time, sees with rods in the dark
-//   brackets = [-2, 0, 2]                    # camera: a PNG for each, stops, brighter when
-//   positive [sun]                                    # scene/sun_settings.h [shadows] convention =
-//   "iau"                       # or "nasa": radii of Sun and Moon limb_darkening = "hestroffer" #
-//   "neckel", "none" [overlays]                               # curves, cones, clock:
-//   scene/overlay_settings.h central_line = true [animation] frames = 12
+//   brackets = [-2, 0, 2]                    # camera: a PNG for each, stops, brighter if positive
+//   [sun]                                    # corona, prominences: scene/sun_settings.h
+//   activity = 0.5
+//   [shadows]
+//   convention = "iau"                       # or "nasa": radii of Sun and Moon
+//   limb_darkening = "hestroffer"            # "neckel", "none"
+//   [overlays]                               # curves, cones, clock: scene/overlay_settings.h
+//   central_line = true
+//   [animation]
+//   frames = 12
 //   [[keyframe]]                             # interpolated smoothly between; heights geometrically
 //   frame = 0
 //   height = "20000 km"

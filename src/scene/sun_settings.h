@@ -1,9 +1,9 @@
 // What a scene says about the Sun itself: the look of its corona and limb in an eclipse.
 //
 //   [sun]
-//   activity = 0.5          # phase of the solar cycle, 0 minimum to 1 maximum; default: of the
-//   date corona = "smooth"       # or "streamers": helmets and plumes, invented, about the measured
-//   mean prominences = 0         # count, 0 to 24, invented
+//   activity = 0.5      # phase of the solar cycle, 0 minimum to 1 maximum; default: of the date
+//   corona = "smooth"   # or "streamers": helmets and plumes, invented, about the measured mean
+//   prominences = 0     # count, 0 to 24, invented
 #pragma once
 
 #include <optional>
