@@ -13,7 +13,8 @@
 
 layout(std140, binding = 1) uniform Air {
   vec4 airShape;  // ground radius m, top m, lowest Sun cosine of the source table, Sun's radius rad
-  vec4 airReach;  // from a point of the ground along its horizon to the top, m; 1 / that; 1 / top
+  vec4 airReach;  // from a point of the ground along its horizon to the top, m; 1 / that; 1 / top;
+                  // radiance of a value of the source table
   vec4 airGroundAlbedo[AIR_LAYERS];
   vec4 airScattering[AIR_LAYERS * AIR_CONSTITUENTS];  // 1/m at density 1
   vec4 airExtinction[AIR_LAYERS * AIR_CONSTITUENTS];
@@ -88,6 +89,10 @@ vec2 depthPlace(float height, float cosine) {
 }
 vec4 depthAt(vec2 place, int layer) { return textureLod(airDepths, vec3(place, float(layer)), 0.0); }
 
+// A slice of the source table, 1/sr.
+vec4 sourceAt(vec2 place, int slice) {
+  return airReach.w * textureLod(airSource, vec3(place, float(slice)), 0.0);
+}
 // Where the source table holds a height and a Sun.
 vec4 sourceTexels() { return texelsOf(textureSize(airSource, 0).xy); }
 vec2 sourcePlaceOf(float height, float sunCosine) {

@@ -159,15 +159,15 @@ struct SourceParts {
 SourceParts sourcePartsAt(vec2 at, AirPoint p, float sense, float sunAlong, vec3 where,
                           vec3 direction, int layer) {
   SunFrame f = sunFrame(sense * p.cosine, p.sunCosine, sunAlong);
-  float first = float(layer * 7);
+  int first = layer * 7;
   SourceParts parts;
-  parts.even = textureLod(airSource, vec3(at, first), 0.0);
-  parts.first = f.z * textureLod(airSource, vec3(at, first + 1.0), 0.0) +
-                f.x * textureLod(airSource, vec3(at, first + 2.0), 0.0);
+  parts.even = sourceAt(at, first);
+  parts.first = f.z * sourceAt(at, first + 1) +
+                f.x * sourceAt(at, first + 2);
   parts.second =
-      (1.5 * f.z * f.z - 0.5) * textureLod(airSource, vec3(at, first + 3.0), 0.0) +
-      f.x * f.z * textureLod(airSource, vec3(at, first + 4.0), 0.0) +
-      (2.0 * f.x * f.x + f.z * f.z - 1.0) * textureLod(airSource, vec3(at, first + 5.0), 0.0);
+      (1.5 * f.z * f.z - 0.5) * sourceAt(at, first + 3) +
+      f.x * f.z * sourceAt(at, first + 4) +
+      (2.0 * f.x * f.x + f.z * f.z - 1.0) * sourceAt(at, first + 5);
 #ifdef AIR_ECLIPSED_SOURCE
 #ifdef ECLIPSED_HARMONICS
   vec4 power = vec4(0.0);

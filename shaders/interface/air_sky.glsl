@@ -9,7 +9,7 @@ layout(std140, binding = 6) uniform AirSky {
   vec4 skyUp;      // scaled space: unit vector to the zenith; w: height of the camera, m
   vec4 skySunward; // horizontal unit vector toward the Sun's azimuth; w: cosine of its zenith angle
   vec4 skySide;    // up x sunward; w: 1 where the table covers the whole turn, 0 half of it
-  vec4 skyDip;     // x: dip of the horizon, rad
+  vec4 skyDip;     // x: dip of the horizon, rad; y: value of a radiance in the tables; z: 1 / y
 };
 layout(binding = 6) uniform sampler2DArray skyJoint;
 layout(binding = 7) uniform sampler2DArray skyPeaked;
@@ -44,6 +44,6 @@ vec4 skyLight(vec2 place, int layer, float sunAlong) {
   for (int c = 0; c < AIR_PEAKED; ++c)
     light += phaseOf(AIR_SMOOTH + c, layer, sunAlong) *
              textureLod(skyPeaked, vec3(place, float(layer * AIR_PEAKED + c)), 0.0);
-  return light;
+  return light * skyDip.z;
 }
 #endif

@@ -212,7 +212,7 @@ SurfaceLight surfaceLight(vec3 normal, vec3 direction, float footprint) {
 #endif
 #endif
 #ifdef AIR
-    vec4 diffuse = textureLod(airSource, vec3(sourcePlace_, float(layer * 7 + 6)), 0.0);
+    vec4 diffuse = sourceAt(sourcePlace_, layer * 7 + 6);
 #ifdef ECLIPSED_SOURCE
     diffuse *= eclipsedShare(position, 0.0, 1, layer);
 #endif

@@ -42,7 +42,7 @@ void main() {
 #endif
     if (way.hitsGround) {
       vec4 direct = sunOnHorizontal(sunCosine, airShape.w) * exp(-depthAt(depthPlace(0.0, max(sunCosine, 0.0)), layer));
-      vec4 diffuse = textureLod(airSource, vec3(ground, float(layer * 7 + 6)), 0.0);
+      vec4 diffuse = sourceAt(ground, layer * 7 + 6);
 #ifdef SHADOW_PAIRS
       vec3 where = ray.start + ray.direction * way.length;
       direct *= visibleSunlight(where, layer);

@@ -1,9 +1,9 @@
-// Fills the sky table of a camera low in the air.
+// Fills the sky table of a camera low in the air. AIR_SKY_FORMAT: of its images.
 #include "interface/air_march.glsl"
 #include "interface/air_sky.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(rgba32f, binding = 0) writeonly uniform image2DArray joint;
-layout(rgba32f, binding = 1) writeonly uniform image2DArray peaked;
+layout(AIR_SKY_FORMAT, binding = 0) writeonly uniform image2DArray joint;
+layout(AIR_SKY_FORMAT, binding = 1) writeonly uniform image2DArray peaked;
 
 void main() {
   ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
@@ -29,9 +29,11 @@ void main() {
   if (down) way.hitsGround = true;
   WayEnds ends = endsOf(ray, way);
   AirLight light = lightAlong(ray, way, ends, shadowCuts(ray));
+  const vec4 most = vec4(6.0e4);  // of a half float
   for (int layer = 0; layer < AIR_LAYERS; ++layer) {
-    imageStore(joint, ivec3(texel, layer), light.joint[layer]);
+    imageStore(joint, ivec3(texel, layer), min(light.joint[layer] * skyDip.y, most));
     for (int c = 0; c < AIR_PEAKED; ++c)
-      imageStore(peaked, ivec3(texel, layer * AIR_PEAKED + c), light.peaked[layer * AIR_PEAKED + c]);
+      imageStore(peaked, ivec3(texel, layer * AIR_PEAKED + c),
+                 min(light.peaked[layer * AIR_PEAKED + c] * skyDip.y, most));
   }
 }

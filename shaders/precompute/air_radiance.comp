@@ -38,7 +38,7 @@ void main() {
 #ifdef AIR_SINGLE
       vec4 irradiance = max(sunCosine, 0.0) * exp(-depthAt(depthPlace(0.0, sunCosine), layer));
 #else
-      vec4 irradiance = textureLod(airSource, vec3(ground, float(layer * 7 + 6)), 0.0);
+      vec4 irradiance = sourceAt(ground, layer * 7 + 6);
 #endif
       sum += irradiance * airGroundAlbedo[layer] / kPi * exp(-depthOfWay(ends, layer));
     }

@@ -101,7 +101,7 @@ void main() {
           ;
 #endif
 #ifdef AIR_SOURCE
-      irradiance += textureLod(airSource, vec3(ground, float(layer * 7 + 6)), 0.0);
+      irradiance += sourceAt(ground, layer * 7 + 6);
 #endif
 #ifdef AIR_VOLUME
       irradiance += heldOnGround(where, layer);

@@ -17,5 +17,6 @@ void addTradeCommand(CLI::App& program);
 void addTradeEphemeris(CLI::App& trade);
 void addTradeTotality(CLI::App& trade);
 void addTradeShadows(CLI::App& trade);
+void addTradeSky(CLI::App& trade);
 
 }  // namespace antumbra

@@ -7,6 +7,7 @@ void addTradeCommand(CLI::App& program) {
   auto* trade = program.add_subcommand("trade", "Error against cost of what can be chosen");
   trade->require_subcommand(1);
   addTradeEphemeris(*trade);
+  addTradeSky(*trade);
   addTradeTotality(*trade);
   addTradeShadows(*trade);
 }

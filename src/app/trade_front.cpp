@@ -1,6 +1,7 @@
 #include "app/trade_front.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -35,19 +36,34 @@ double numberOf(const RowTable::Row& row, const std::string& key) {
 }  // namespace
 
 std::vector<bool> paretoFront(const std::vector<TradePoint>& points, double errorFloor) {
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<CostlyPoint> all;
+  for (auto const& p : points) all.push_back({{p.cost}, p.error});
+  return paretoFront(all, errorFloor, 0.0, 0.0);
+}
+
+std::vector<bool> paretoFront(const std::vector<CostlyPoint>& points, double errorFloor,
+                              double tolerance, double errorMargin) {
   auto const errorOf = [&](std::size_t i) { return std::max(points[i].error, errorFloor); };
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return points[a].cost != points[b].cost ? points[a].cost < points[b].cost
-                                            : errorOf(a) < errorOf(b);
-  });
-  std::vector<bool> front(points.size(), false);
-  double best = INFINITY;
-  for (std::size_t i : order) {
-    if (!std::isfinite(points[i].cost) || !(errorOf(i) < best)) continue;
-    best = errorOf(i);
-    front[i] = true;
+  auto const finite = [&](std::size_t i) {
+    return std::isfinite(points[i].error) &&
+           std::all_of(points[i].costs.begin(), points[i].costs.end(),
+                       [](double c) { return std::isfinite(c); });
+  };
+  auto const beats = [&](std::size_t a, std::size_t b) {
+    if (!finite(a) || !(errorOf(a) <= errorOf(b))) return false;
+    bool better = errorOf(a) + errorMargin < errorOf(b), equal = !better;
+    for (std::size_t k = 0; k < points[a].costs.size(); ++k) {
+      double const mine = points[a].costs[k], its = points[b].costs[k];
+      if (mine > its * (1.0 + tolerance)) return false;
+      if (mine * (1.0 + tolerance) < its) better = true, equal = false;
+    }
+    return better || (equal && errorOf(a) == errorOf(b) && a < b);
+  };
+  std::vector<bool> front(points.size(), true);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    front[i] = finite(i);
+    for (std::size_t j = 0; j < points.size() && front[i]; ++j)
+      if (j != i && beats(j, i)) front[i] = false;
   }
   return front;
 }
@@ -55,27 +71,43 @@ std::vector<bool> paretoFront(const std::vector<TradePoint>& points, double erro
 TradeFront::TradeFront(std::string subject, std::string costKey, std::string errorKey,
                        double errorFloor)
     : subject_(std::move(subject)),
-      costKey_(std::move(costKey)),
       errorKey_(std::move(errorKey)),
+      costKeys_{std::move(costKey)},
       errorFloor_(errorFloor) {}
+
+void TradeFront::alsoCost(const std::string& key) { costKeys_.push_back(key); }
+
+void TradeFront::tolerate(double tolerance, double errorMargin) {
+  tolerance_ = tolerance;
+  errorMargin_ = errorMargin;
+}
+
+std::vector<bool> TradeFront::front() const {
+  return paretoFront(points_, errorFloor_, tolerance_, errorMargin_);
+}
 
 void TradeFront::note(const std::string& key, const std::string& text) {
   notes_.emplace_back(key, text);
 }
 
 void TradeFront::add(RowTable::Row row) {
-  points_.push_back({numberOf(row, costKey_), numberOf(row, errorKey_)});
+  std::vector<double> costs;
+  for (auto const& key : costKeys_) costs.push_back(numberOf(row, key));
+  points_.push_back({costs, numberOf(row, errorKey_)});
   rows_.push_back(std::move(row));
 }
 
 std::string TradeFront::text(const std::string& format) const {
-  auto const front = paretoFront(points_, errorFloor_);
+  auto const front = this->front();
+  std::string const& costKey = costKeys_.front();
+  std::string const costs = fmt::format("{}", fmt::join(costKeys_, ", "));
   RowTable table;
   if (format == "json") {
     nlohmann::ordered_json all;
     all["subject"] = subject_;
     for (auto const& [key, text] : notes_) all[key] = text;
-    all["cost"] = costKey_;
+    all["cost"] = costKey;
+    all["costs"] = costKeys_;
     all["error"] = errorKey_;
     all["error_floor"] = errorFloor_;
     all["complete"] = complete_;
@@ -88,24 +120,22 @@ std::string TradeFront::text(const std::string& format) const {
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (format == "table")
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return points_[a].cost < points_[b].cost;
+      return points_[a].costs[0] < points_[b].costs[0];
     });
   for (std::size_t i : order) {
     RowTable::Row row = rows_[i];
     row.emplace_back("on_front", std::string(front[i] ? "yes" : format == "csv" ? "no" : ""));
     table.add(std::move(row));
   }
-  if (format == "csv") return table.text("csv", {costKey_, errorKey_, "on_front"});
+  if (format == "csv") return table.text("csv", {costKey, errorKey_, "on_front"});
   std::string out;
   for (auto const& [key, text] : notes_) out += fmt::format("{}: {}\n", key, text);
-  out += table.text("table", {costKey_, errorKey_, "on_front"});
-  if (errorFloor_ > 0.0)
-    out += fmt::format(
-        "on_front: beaten by no other point in {} and {}; errors below {:.2g} count "
-        "as that\n",
-        costKey_, errorKey_, errorFloor_);
-  else
-    out += fmt::format("on_front: beaten by no other point in {} and {}\n", costKey_, errorKey_);
+  out += table.text("table", {costKey, errorKey_, "on_front"});
+  out += fmt::format("on_front: beaten by no other point in {}, {}", errorKey_, costs);
+  if (errorFloor_ > 0.0) out += fmt::format("; errors below {:.2g} count as that", errorFloor_);
+  if (tolerance_ > 0.0)
+    out += fmt::format("; costs within {:.0f} % count as equal", 100.0 * tolerance_);
+  out += '\n';
   if (!complete_) out += "interrupted: not every point was measured\n";
   return out;
 }

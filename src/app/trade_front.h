@@ -24,12 +24,24 @@ struct TradePoint {
   double cost, error;
 };
 std::vector<bool> paretoFront(const std::vector<TradePoint>& points, double errorFloor = 0.0);
+// The same for several costs and measured ones; see TradeFront::tolerate.
+struct CostlyPoint {
+  std::vector<double> costs;
+  double error;
+};
+std::vector<bool> paretoFront(const std::vector<CostlyPoint>& points, double errorFloor,
+                              double tolerance, double errorMargin);
 
 class TradeFront {
  public:
   // Keys of the columns that hold cost and error.
   TradeFront(std::string subject, std::string costKey, std::string errorKey,
              double errorFloor = 0.0);
+  // Another cost, for fronts of several: a point stays on the front unless another one is no worse
+  // in anything and better in something. `tolerance`: relative, of every cost, where times are
+  // measured; `errorMargin`: the least difference of errors that counts as better.
+  void alsoCost(const std::string& key);
+  void tolerate(double tolerance, double errorMargin);
   // What was measured, on what, against what; printed above the table, in JSON a key of its own.
   void note(const std::string& key, const std::string& text);
   // Throws std::logic_error where cost or error is missing or no number.
@@ -40,11 +52,14 @@ class TradeFront {
   std::string text(const std::string& format) const;
 
  private:
-  std::string subject_, costKey_, errorKey_;
-  double errorFloor_;
+  std::vector<bool> front() const;
+
+  std::string subject_, errorKey_;
+  std::vector<std::string> costKeys_;  // the first is the one to plot
+  double errorFloor_, tolerance_ = 0.0, errorMargin_ = 0.0;
   std::vector<std::pair<std::string, std::string>> notes_;
   std::vector<RowTable::Row> rows_;
-  std::vector<TradePoint> points_;
+  std::vector<CostlyPoint> points_;
   bool complete_ = true;
 };
 

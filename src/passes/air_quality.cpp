@@ -18,6 +18,10 @@ int within(const Table& table, const char* key, int otherwise, int least, int mo
 
 AirQuality AirQuality::read(const Table& table) {
   AirQuality q;
+  std::string const storage = table.text("storage", "float");
+  if (storage != "float" && storage != "half")
+    table.fail("storage", fmt::format("found \"{}\"; allowed: float, half", storage));
+  q.storage = storage == "half" ? AirStorage::Half : AirStorage::Float;
   q.wavelengths = within(table, "wavelengths", q.wavelengths, 4, 40);
   if (q.wavelengths % 4) table.fail("wavelengths", "allowed: a multiple of 4");
   q.orders = within(table, "orders", q.orders, 0, 100);

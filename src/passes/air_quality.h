@@ -7,9 +7,15 @@
 
 namespace antumbra {
 
+// Of the tables of optical depth, phase functions and source, and of the sky tables; densities and
+// the grid about a shadow stay in 32 bits. Half floats hold radiances scaled by their brightest, so
+// that twilight does not underflow.
+enum class AirStorage { Float, Half };
+
 struct AirQuality {
-  int wavelengths = 4;  // a multiple of 4
-  int orders = 5;       // in the source table, the rest as a geometric series; 0: single scattering
+  AirStorage storage = AirStorage::Float;  // storage = "float" or "half"
+  int wavelengths = 4;                     // a multiple of 4
+  int orders = 5;  // in the source table, the rest as a geometric series; 0: single scattering
   int depthWidth = 256;        // texels of the optical depth over zenith angle
   int depthHeight = 64;        // and over height
   int sourceWidth = 96;        // texels of the source over the Sun's zenith angle
@@ -30,6 +36,7 @@ struct AirQuality {
   int eclipseSamples = 6;      // samples a part of a leg
   int eclipseOrders = 4;       // of scattering
   int eclipseSkySamples = 16;  // samples a part of a leg in the sky table
+  bool operator==(const AirQuality&) const = default;
   // Throws InputError with file and line for unknown keys and values out of range.
   static AirQuality read(const Table& table);
   // configs/quality/<name>.toml

@@ -16,6 +16,8 @@ gl::Definitions definitionsOf(const AirTables& tables, const gl::Definitions& sh
     d.emplace_back(flag, "");
   d.insert(d.end(), shadows.begin(), shadows.end());
   if (!shadows.empty()) d.emplace_back("ECLIPSED_HARMONICS", "");
+  d.emplace_back("AIR_SKY_FORMAT",
+                 tables.quality().storage == AirStorage::Half ? "rgba16f" : "rgba32f");
   return d;
 }
 
@@ -30,8 +32,9 @@ AirSky::AirSky(const AirTables& tables, const gl::Definitions& shadowDefinitions
   auto const& q = tables.quality();
   // The same azimuths as in half a turn, so that nothing jumps where an eclipse begins.
   int const width = wholeTurn_ ? 2 * q.skyWidth - 1 : q.skyWidth;
-  joint_ = gl::Texture::layers(GL_RGBA32F, width, q.skyHeight, tables.layers());
-  peaked_ = gl::Texture::layers(GL_RGBA32F, width, q.skyHeight,
+  GLenum const format = q.storage == AirStorage::Half ? GL_RGBA16F : GL_RGBA32F;
+  joint_ = gl::Texture::layers(format, width, q.skyHeight, tables.layers());
+  peaked_ = gl::Texture::layers(format, width, q.skyHeight,
                                 std::max(tables.layers() * tables.peakedCount(), 1));
 }
 
@@ -43,13 +46,19 @@ void AirSky::update(const AirTables& tables, Length cameraHeight, const glm::dve
     level = glm::cross(up, std::fabs(up.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0));
   glm::dvec3 const sunward = glm::normalize(level);
   glm::dvec3 const side = glm::cross(up, sunward);
+  // Half floats hold values up to 65504: a radiance of 1/sr is 1024 by day; in twilight, where the
+  // brightest direction has at most some hundred times the mean, the more the darker its air is.
+  float const scale =
+      tables.quality().storage == AirStorage::Half
+          ? static_cast<float>(1024.0 / std::max(tables.brightnessUnder(sunCosine), 1e-9))
+          : 1.0f;
   double const h = std::max(cameraHeight.si, 0.0), radius = tables.groundRadius().si;
   SkyBlock const block{
       glm::vec4(glm::vec3(up), static_cast<float>(h)),
       glm::vec4(glm::vec3(sunward), static_cast<float>(sunCosine)),
       glm::vec4(glm::vec3(side), wholeTurn_ ? 1.0f : 0.0f),
-      glm::vec4(static_cast<float>(std::atan2(std::sqrt(h * (2.0 * radius + h)), radius)), 0.0f,
-                0.0f, 0.0f)};
+      glm::vec4(static_cast<float>(std::atan2(std::sqrt(h * (2.0 * radius + h)), radius)), scale,
+                1.0f / scale, 0.0f)};
   block_.write(block);
   tables.bind();
   nodes_.bind();

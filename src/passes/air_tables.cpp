@@ -10,13 +10,15 @@
 
 #include "passes/gauss_legendre.h"
 #include "photometry/spectral_weights.h"
+#include "shared/as_cpp.h"
 
 namespace antumbra {
 namespace {
 
 constexpr int kDensityTexels = 1024;
 constexpr int kPhaseTexels = 2048;
-constexpr int kMoments = 7;  // of a spectral layer in the source table
+constexpr float kLargestHalf = 65504.0f;  // IEEE 754-2019, binary16
+constexpr int kMoments = 7;               // of a spectral layer in the source table
 
 // Legendre moment of a phase function: 2 pi times the integral of p P_l over the cosine; composite
 // midpoint in sqrt((1 - cosine)/2), which follows forward peaks.
@@ -107,7 +109,7 @@ std::vector<glm::vec4> airBlockOf(const Medium* medium, const std::vector<Length
   double const top = medium ? medium->topHeight.si : 1.0;
   block.emplace_back(groundRadius.si, top, lowestSunCosine, sunRadius.si);
   double const widest = std::sqrt(top * (2.0 * groundRadius.si + top));
-  block.emplace_back(widest, 1.0 / widest, 1.0 / top, 0.0);
+  block.emplace_back(widest, 1.0 / widest, 1.0 / top, 1.0);
   auto const add = [&](auto&& value) {
     for (std::size_t layer = 0; layer < layers; ++layer) {
       glm::vec4 four;
@@ -173,13 +175,18 @@ AirTables::AirTables(const Medium& medium, Length groundRadius,
   // Twice the angle by which the top sees the Sun below the ground's horizon, and 5 degrees.
   double const dip = std::acos(groundRadius / (groundRadius + top_));
   lowestSunCosine_ = -std::sin(std::min(2.0 * dip + 5.0 * degree.si, 0.5 * std::numbers::pi));
-  auto const block =
+  auto block =
       airBlockOf(&medium, wavelengths_, groundRadius, lowestSunCosine_, sunRadius, order);
   block_.write(std::span<const glm::vec4>(block));
   buildDensities(medium, order);
   buildPhases(medium, order);
   buildDepths();
   buildSource();
+  measureSource();
+  if (quality_.storage == AirStorage::Half) {
+    block[1].w = halve();
+    block_.write(std::span<const glm::vec4>(block));
+  }
   glFinish();
   precomputeSeconds_ =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -287,6 +294,52 @@ void AirTables::buildSource() {
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     glFinish();
   }
+}
+
+namespace {
+
+gl::Texture halved(const gl::Texture& from, float scale, bool layered) {
+  auto to = layered ? gl::Texture::layers(GL_RGBA16F, from.width(), from.height(), from.depth())
+                    : gl::Texture::plane(GL_RGBA16F, from.width(), from.height());
+  auto texels = from.readRgba();
+  for (float& value : texels) value = std::clamp(value * scale, -kLargestHalf, kLargestHalf);
+  to.upload(texels, 4);
+  return to;
+}
+
+}  // namespace
+
+void AirTables::measureSource() {
+  auto const texels = source_.readRgba();
+  auto const width = static_cast<std::size_t>(source_.width());
+  std::size_t const slice = width * static_cast<std::size_t>(source_.height()) * 4;
+  brightest_.assign(width, 0.0);
+  for (int layer = 0; layer < layers_; ++layer)
+    for (std::size_t i = 0; i < slice; ++i) {
+      double& most = brightest_[i / 4 % width];
+      most = std::max(most, static_cast<double>(
+                                texels[static_cast<std::size_t>(layer * kMoments) * slice + i]));
+    }
+}
+
+double AirTables::brightnessUnder(double sunCosine) const {
+  double const most = *std::max_element(brightest_.begin(), brightest_.end());
+  if (!(most > 0.0)) return 1.0;
+  double const x = glsl::sourceColumn(glsl::sunSpan(lowestSunCosine_), sunCosine);
+  auto const last = static_cast<double>(brightest_.size() - 1);
+  auto const at = static_cast<std::size_t>(std::clamp(std::ceil(x * last), 0.0, last));
+  return brightest_[at] / most;
+}
+
+float AirTables::halve() {
+  depths_ = halved(depths_, 1.0f, true);
+  phases_ = halved(phases_, 1.0f, false);
+  float most = 1e-30f;
+  for (float value : source_.readRgba()) most = std::max(most, std::fabs(value));
+  // A power of two, so that the scale itself rounds nothing; half of the range is left to spare.
+  float const scale = std::exp2(std::floor(std::log2(0.5f * kLargestHalf / most)));
+  source_ = halved(source_, scale, true);
+  return 1.0f / scale;
 }
 
 std::size_t AirTables::bytes() const {

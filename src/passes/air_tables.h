@@ -47,6 +47,8 @@ class AirTables {
   const AirQuality& quality() const { return quality_; }
   std::size_t bytes() const;
   double precomputeSeconds() const { return precomputeSeconds_; }
+  // The brightest mean radiance at any height under a Sun of this zenith angle over that of any Sun.
+  double brightnessUnder(double sunCosine) const;
   const gl::Texture& source() const { return source_; }
   const gl::Texture& depths() const { return depths_; }
 
@@ -55,6 +57,9 @@ class AirTables {
   void buildPhases(const Medium& medium, const std::vector<std::size_t>& order);
   void buildDepths();
   void buildSource();
+  // Tables in 16 bits; returns the radiance of a value of the source.
+  float halve();
+  void measureSource();
 
   AirQuality quality_;
   Length groundRadius_, top_;
@@ -66,6 +71,7 @@ class AirTables {
   gl::Definitions definitions_;
   gl::Buffer block_;
   gl::Texture densities_, phases_, depths_, source_;
+  std::vector<double> brightest_;  // mean radiance by the source table's column
   double precomputeSeconds_ = 0.0;
 };
 

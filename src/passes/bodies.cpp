@@ -427,6 +427,13 @@ void BodiesPass::drawRings(const PlannedBody& body, RingsHalf half, glm::ivec2 t
   resident.rings->draw(body.rings->bounds, half, tileOrigin, targetSize);
 }
 
+const AirTables* BodiesPass::airOf(const PlannedBody& body) const {
+  auto const resident = state_->bodies.find(body.name);
+  if (resident == state_->bodies.end()) return nullptr;
+  auto const air = state_->airs.find(resident->second.air);
+  return air == state_->airs.end() ? nullptr : air->second.get();
+}
+
 int BodiesPass::tablesBuilt() const { return state_->tablesBuilt; }
 
 int BodiesPass::shadowPairs() const {

@@ -21,6 +21,8 @@
 
 namespace antumbra {
 
+class AirTables;
+
 class BodiesPass {
  public:
   struct Look {
@@ -49,6 +51,8 @@ class BodiesPass {
   // Draws again the sky table of a body, for measuring; false where it has none.
   bool repeatSky(const PlannedBody& body);
 
+  // The tables of a prepared body's air, or none.
+  const AirTables* airOf(const PlannedBody& body) const;
   int tablesBuilt() const;
   int shadowPairs() const;  // handed to shaders in the bodies last prepared
   std::vector<std::pair<std::string, std::size_t>> residentBytes() const;

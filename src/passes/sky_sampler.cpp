@@ -50,9 +50,11 @@ std::optional<Probe> probeOf(const Medium& medium, const SkyRequest& request,
 
 }  // namespace
 
-// Four wavelengths' tables, and the programs that read them.
+// Tables of some wavelengths, and the programs that read them.
 struct SkyTables {
-  AirTables tables;
+  std::unique_ptr<AirTables> own;
+  const AirTables& tables;
+  std::size_t first, count;  // of the sampler's wavelengths
   std::map<std::string, gl::Program> programs;
   std::map<std::size_t, AirSky> skies;  // by number of casters
   std::unique_ptr<EclipsedSource> eclipsed;
@@ -60,8 +62,13 @@ struct SkyTables {
   LimbDarkeningLaw law = LimbDarkeningLaw::Hestroffer;
 
   SkyTables(const Medium& medium, const std::vector<Length>& wavelengths, const AirQuality& quality,
-            Angle sunRadius)
-      : tables(medium, medium.radius, wavelengths, quality, sunRadius) {}
+            Angle sunRadius, std::size_t from)
+      : own(std::make_unique<AirTables>(medium, medium.radius, wavelengths, quality, sunRadius)),
+        tables(*own),
+        first(from),
+        count(wavelengths.size()) {}
+  SkyTables(const AirTables& given, std::size_t wavelengths)
+      : tables(given), first(0), count(wavelengths) {}
 
   std::vector<glm::vec4> run(const std::vector<Probe>& probes, const gl::Definitions& definitions,
                              int samples) {
@@ -76,7 +83,7 @@ struct SkyTables {
     nodes.bind();
     gl::Buffer in, out;
     in.write(std::span<const Probe>(probes));
-    std::vector<glm::vec4> radiances(probes.size());
+    std::vector<glm::vec4> radiances(probes.size() * static_cast<std::size_t>(tables.layers()));
     out.write(std::span<const glm::vec4>(radiances));
     in.bindStorage(0);
     out.bindStorage(1);
@@ -95,7 +102,7 @@ struct SkySampler::State {
   AirQuality quality;
   std::size_t count;
   bool betweenNodes;
-  std::vector<std::unique_ptr<SkyTables>> fours;
+  std::vector<std::unique_ptr<SkyTables>> parts;
 };
 
 SkySampler::SkySampler(const Medium& medium, const std::vector<Length>& wavelengths,
@@ -104,10 +111,14 @@ SkySampler::SkySampler(const Medium& medium, const std::vector<Length>& waveleng
   for (std::size_t first = 0; first < wavelengths.size(); first += 4) {
     auto const begin = wavelengths.begin() + static_cast<std::ptrdiff_t>(first);
     auto const size = std::min<std::size_t>(4, wavelengths.size() - first);
-    state_->fours.push_back(std::make_unique<SkyTables>(
+    state_->parts.push_back(std::make_unique<SkyTables>(
         medium, std::vector<Length>(begin, begin + static_cast<std::ptrdiff_t>(size)), quality,
-        sunRadius));
+        sunRadius, first));
   }
+}
+SkySampler::SkySampler(const Medium& medium, const AirTables& tables)
+    : state_(new State{medium, tables.quality(), tables.wavelengths().size(), true, {}}) {
+  state_->parts.push_back(std::make_unique<SkyTables>(tables, state_->count));
 }
 SkySampler::~SkySampler() = default;
 
@@ -115,9 +126,10 @@ std::vector<double> SkySampler::sample(const SkyRequest& request) {
   auto& s = *state_;
   std::vector<double> result(request.directions.size() * s.count, 0.0);
   glm::dvec3 const sun(sin(request.sunZenith), 0.0, cos(request.sunZenith));
-  for (std::size_t four = 0; four < s.fours.size(); ++four) {
-    auto& own = *s.fours[four];
+  for (auto const& part : s.parts) {
+    auto& own = *part;
     auto& tables = own.tables;
+    auto const layers = static_cast<std::size_t>(tables.layers());
     gl::Definitions shadowFlags;
     std::unique_ptr<BodyShadows> shadows;
     if (!request.casters.empty()) {
@@ -165,9 +177,9 @@ std::vector<double> SkySampler::sample(const SkyRequest& request) {
       auto const radiances =
           own.run(probes, flags, ground ? s.quality.groundSamples : s.quality.viewSamples);
       for (std::size_t p = 0; p < probes.size(); ++p)
-        for (std::size_t w = 4 * four; w < std::min(4 * four + 4, s.count); ++w)
-          result[whose[p] * s.count + w] =
-              static_cast<double>(radiances[p][static_cast<int>(w % 4)]);
+        for (std::size_t w = 0; w < own.count; ++w)
+          result[whose[p] * s.count + own.first + w] =
+              static_cast<double>(radiances[p * layers + w / 4][static_cast<int>(w % 4)]);
     }
   }
   return result;

@@ -13,6 +13,8 @@
 
 namespace antumbra {
 
+class AirTables;
+
 struct SkyDirection {
   Angle viewZenith;       // above 90 deg: down
   Angle relativeAzimuth;  // 0 toward the Sun
@@ -41,6 +43,8 @@ class SkySampler {
   // `betweenNodes`: as in EclipsedSource.
   SkySampler(const Medium& medium, const std::vector<Length>& wavelengths,
              const AirQuality& quality, Angle sunRadius = Angle(0.0), bool betweenNodes = true);
+  // By tables that exist already and outlive it; their ground's radius is the medium's.
+  SkySampler(const Medium& medium, const AirTables& tables);
   ~SkySampler();
   SkySampler(const SkySampler&) = delete;
   SkySampler& operator=(const SkySampler&) = delete;

@@ -33,6 +33,18 @@ TEST(TradeFrontTest, LeavesOutWhatIsNotFinite) {
             (Marks{false, false, false, true}));
 }
 
+TEST(TradeFrontTest, WeighsSeveralCostsAndTheirNoise) {
+  // The second is beaten by the first but for noise, the third is cheaper in the second cost.
+  EXPECT_EQ(paretoFront({{{1.0, 5.0}, 1.0}, {{0.98, 5.0}, 2.0}, {{1.0, 3.0}, 2.0}}, 0.0, 0.05, 0.0),
+            (Marks{true, false, true}));
+  // Without tolerance the second is the cheapest.
+  EXPECT_EQ(paretoFront({{{1.0, 5.0}, 1.0}, {{0.98, 5.0}, 2.0}}, 0.0, 0.0, 0.0),
+            (Marks{true, true}));
+  // A difference of errors below the margin does not beat.
+  EXPECT_EQ(paretoFront({{{1.0}, 1.00}, {{1.02}, 1.05}, {{1.0}, 1.5}}, 0.0, 0.05, 0.1),
+            (Marks{true, true, false}));
+}
+
 TradeFront example() {
   TradeFront front("sky", "fill_units", "error_percent", 0.1);
   front.note("scene", "one.toml");

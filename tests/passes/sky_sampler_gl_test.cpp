@@ -96,6 +96,37 @@ TEST_F(SkySamplerGlTest, FollowsTheMonteCarloReference) {
   }
 }
 
+// Tables in 16 bits against the same in 32, from noon to nautical twilight: 2^-11 of each value,
+// and no underflow.
+TEST_F(SkySamplerGlTest, HalfFloatsHoldTheTwilight) {
+  auto const medium = readMedium(catalogsFolder() / "atmospheres/earth.toml");
+  std::vector<Length> const wavelengths{440.0 * nanometre, 550.0 * nanometre, 680.0 * nanometre};
+  AirQuality quality;
+  SkySampler whole(medium, wavelengths, quality);
+  quality.storage = AirStorage::Half;
+  SkySampler half(medium, wavelengths, quality);
+  for (double sunZenith : {30.0, 92.0, 102.0})
+    for (double altitudeKm : {0.0, 60.0}) {
+      SkyRequest request;
+      request.altitude = altitudeKm * kilometre;
+      request.sunZenith = sunZenith * degree;
+      for (double zenith : {0.0, 45.0, 80.0, 89.0, 100.0})
+        for (double azimuth : {0.0, 60.0, 180.0})
+          request.directions.push_back({zenith * degree, azimuth * degree});
+      auto const expected = whole.sample(request), found = half.sample(request);
+      double mean = 0.0, worst = 0.0;
+      for (std::size_t i = 0; i < expected.size(); ++i) {
+        double const error = expected[i] > 0.0 ? std::fabs(found[i] / expected[i] - 1.0) : 0.0;
+        mean += error / static_cast<double>(expected.size());
+        worst = std::max(worst, error);
+      }
+      std::printf("Sun %5.1f, %2.0f km: mean %.3f %%, worst %.2f %%\n", sunZenith, altitudeKm,
+                  100.0 * mean, 100.0 * worst);
+      EXPECT_LT(mean, 0.002) << sunZenith << " degrees, " << altitudeKm << " km";
+      EXPECT_LT(worst, 0.01) << sunZenith << " degrees, " << altitudeKm << " km";
+    }
+}
+
 // Where the ground meets the sky nothing stands out: from 60 m up, across the horizon, against the
 // single-scattering integrator. The picture's own sky table has steps of 0.02 degrees there.
 TEST_F(SkySamplerGlTest, CrossesTheHorizonLikeTheIntegrator) {

@@ -1,0 +1,58 @@
+#include "app/trade_sky_knobs.h"
+
+#include <fmt/format.h>
+
+namespace antumbra {
+namespace {
+
+AirKnob knob(const std::string& name, int AirQuality::*member, std::initializer_list<int> values) {
+  AirKnob k{name, {}};
+  for (int value : values)
+    k.settings.push_back(
+        {fmt::format("{} = {}", name, value), [=](AirQuality& q) { q.*member = value; }});
+  return k;
+}
+
+AirKnob knob(const std::string& name, const std::string& first, int AirQuality::*a,
+             const std::string& second, int AirQuality::*b,
+             std::initializer_list<std::pair<int, int>> values) {
+  AirKnob k{name, {}};
+  for (auto const& [x, y] : values)
+    k.settings.push_back(
+        {fmt::format("{} = {}; {} = {}", first, x, second, y), [=, x = x, y = y](AirQuality& q) {
+           q.*a = x;
+           q.*b = y;
+         }});
+  return k;
+}
+
+}  // namespace
+
+const std::vector<AirKnob>& airKnobs() {
+  using Q = AirQuality;
+  static const std::vector<AirKnob> all = [] {
+    std::vector<AirKnob> list{
+        knob("wavelengths", &Q::wavelengths, {4, 8, 16}),
+        knob("orders", &Q::orders, {2, 3, 4, 5, 7, 10}),
+        knob("depth", "depth_width", &Q::depthWidth, "depth_height", &Q::depthHeight,
+             {{64, 32}, {128, 32}, {256, 64}, {512, 128}}),
+        knob("source", "source_width", &Q::sourceWidth, "source_height", &Q::sourceHeight,
+             {{48, 12}, {64, 16}, {96, 24}, {128, 32}, {160, 40}}),
+        knob("directions", "zenith_directions", &Q::zenithDirections, "azimuth_directions",
+             &Q::azimuthDirections, {{8, 4}, {12, 6}, {16, 8}, {20, 10}, {24, 12}}),
+        knob("source_samples", &Q::sourceSamples, {6, 8, 12, 16, 24}),
+        knob("sky_samples", &Q::skySamples, {8, 12, 16, 24, 32}),
+        knob("sky", "sky_width", &Q::skyWidth, "sky_height", &Q::skyHeight,
+             {{24, 64}, {32, 96}, {48, 128}, {64, 192}, {96, 256}}),
+        knob("view_samples", &Q::viewSamples, {6, 8, 10, 12, 16, 24}),
+        knob("ground_samples", &Q::groundSamples, {2, 3, 4, 5, 7, 10}),
+    };
+    list.push_back({"storage",
+                    {{"storage = half", [](Q& q) { q.storage = AirStorage::Half; }},
+                     {"storage = float", [](Q& q) { q.storage = AirStorage::Float; }}}});
+    return list;
+  }();
+  return all;
+}
+
+}  // namespace antumbra

@@ -1,0 +1,95 @@
+// `antumbra trade sky`: what bad input is told, and a short walk.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "document/input_error.h"
+#include "document/paths.h"
+
+namespace antumbra {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::string sceneFile(const std::string& name) {
+  return (configsFolder() / "scenes" / (name + ".toml")).string();
+}
+
+// What the command prints, or the message of its InputError.
+std::string tradeSky(const std::string& options) {
+  CLI::App program;
+  addTradeCommand(program);
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  std::string complaint;
+  try {
+    program.parse("trade sky " + options);
+  } catch (const InputError& error) {
+    complaint = error.what();
+  } catch (const CLI::ParseError& error) {
+    complaint = std::string("command line: ") + error.what();
+  }
+  testing::internal::GetCapturedStderr();
+  std::string const printed = testing::internal::GetCapturedStdout();
+  EXPECT_TRUE(complaint.empty() || printed.empty()) << "half an answer before an error";
+  return complaint.empty() ? printed : complaint;
+}
+
+TEST(TradeSky, TellsWhatIsWrong) {
+  std::string const scene = sceneFile("day_sky");
+  EXPECT_THAT(tradeSky(scene + " --directions 3"),
+              AllOf(HasSubstr("--directions"), HasSubstr("3")));
+  EXPECT_THAT(tradeSky(scene + " --stderr 50%"), AllOf(HasSubstr("--stderr"), HasSubstr("20%")));
+  EXPECT_THAT(tradeSky(scene + " --knobs colour"),
+              AllOf(HasSubstr("--knobs"), HasSubstr("colour"), HasSubstr("ground_samples")));
+  EXPECT_THAT(tradeSky(scene + " --presets best"),
+              AllOf(HasSubstr("--presets"), HasSubstr("best")));
+  EXPECT_THAT(tradeSky(scene + " --base best"), AllOf(HasSubstr("--base"), HasSubstr("best")));
+  EXPECT_THAT(tradeSky(scene + " --format xml"), AllOf(HasSubstr("--format"), HasSubstr("xml")));
+  EXPECT_THAT(tradeSky(sceneFile("from_space")), AllOf(HasSubstr("eclipsed"), HasSubstr("Moon")));
+  EXPECT_THAT(tradeSky("nowhere.toml"), HasSubstr("nowhere.toml"));
+  EXPECT_THAT(tradeSky(""), HasSubstr("scene"));
+}
+
+TEST(TradeSky, MeasuresTwoPointsAndKeepsTheReference) {
+  auto const file = std::filesystem::temp_directory_path() / "antumbra_trade_sky_reference.json";
+  std::filesystem::remove(file);
+  std::string const options =
+      " --size 96x54 --presets none --knobs storage --directions 4 --stderr "
+      "5% --format json --reference " +
+      file.string();
+  auto const json = nlohmann::json::parse(tradeSky(sceneFile("day_sky") + options));
+  EXPECT_EQ(json["subject"], "sky");
+  EXPECT_EQ(json["cost"], "fill_units");
+  EXPECT_EQ(json["complete"], true);
+  EXPECT_GT(json["error_floor"].get<double>(), 0.0);
+  ASSERT_EQ(json["rows"].size(), 2u);
+  auto const &whole = json["rows"][0], &half = json["rows"][1];
+  EXPECT_EQ(whole["point"], "balanced");
+  EXPECT_EQ(half["point"], "storage = half");
+  for (auto const& row : json["rows"]) {
+    // The bar of `balanced` by day.
+    EXPECT_LT(row["luminance_error_percent"].get<double>(), 3.0);
+    EXPECT_GT(row["luminance_error_percent"].get<double>(), 0.0);
+    EXPECT_LT(row["delta_e2000"].get<double>(), 2.0);
+    EXPECT_GT(row["fill_units"].get<double>(), 0.0);
+    EXPECT_GT(row["precompute_s"].get<double>(), 0.0);
+    EXPECT_TRUE(row["on_front"].is_boolean());
+  }
+  // But for the densities, 16 KiB of the whole.
+  EXPECT_NEAR(half["memory_mib"].get<double>() / whole["memory_mib"].get<double>(), 0.5, 0.03);
+
+  // The reference of another scene is refused.
+  ASSERT_TRUE(std::filesystem::exists(file));
+  EXPECT_THAT(tradeSky(sceneFile("whole_earth") + options),
+              AllOf(HasSubstr("--reference"), HasSubstr("another scene")));
+  std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace antumbra
