@@ -72,6 +72,16 @@ class PlotTest(InFolder):
         frontier = re.search(r'points="([^"]*)"', svg)[1].split()
         self.assertEqual(len(frontier), 2)
 
+    def test_writes_out_chosen_labels_and_pales_what_is_beaten(self):
+        rows = [dict(r, on_front=r["name"] != "beaten") for r in self.ROWS]
+        status, _, error = self.plot(json.dumps({"rows": rows}), "--label", "name",
+                                     "--label-only", "good,free")
+        self.assertEqual(status, 0, error)
+        svg = (self.folder / "t.svg").read_text()
+        self.assertIn(">good</text>", svg)
+        self.assertNotIn(">fast</text>", svg)
+        self.assertEqual(svg.count("fill-opacity"), 1)
+
     def test_bad_input_leaves_no_file(self):
         for content, message in (("{", "t.json:1"), ('{"a": 1}', "rows"), ("[]", "no row")):
             status, _, error = self.plot(content)
