@@ -175,8 +175,7 @@ AirTables::AirTables(const Medium& medium, Length groundRadius,
   // Twice the angle by which the top sees the Sun below the ground's horizon, and 5 degrees.
   double const dip = std::acos(groundRadius / (groundRadius + top_));
   lowestSunCosine_ = -std::sin(std::min(2.0 * dip + 5.0 * degree.si, 0.5 * std::numbers::pi));
-  auto block =
-      airBlockOf(&medium, wavelengths_, groundRadius, lowestSunCosine_, sunRadius, order);
+  auto block = airBlockOf(&medium, wavelengths_, groundRadius, lowestSunCosine_, sunRadius, order);
   block_.write(std::span<const glm::vec4>(block));
   buildDensities(medium, order);
   buildPhases(medium, order);

@@ -47,7 +47,8 @@ class AirTables {
   const AirQuality& quality() const { return quality_; }
   std::size_t bytes() const;
   double precomputeSeconds() const { return precomputeSeconds_; }
-  // The brightest mean radiance at any height under a Sun of this zenith angle over that of any Sun.
+  // The brightest mean radiance at any height under a Sun of this zenith angle over that of any
+  // Sun.
   double brightnessUnder(double sunCosine) const;
   const gl::Texture& source() const { return source_; }
   const gl::Texture& depths() const { return depths_; }
