@@ -93,7 +93,8 @@ AirWay wayOf(AirRay ray) {
     way.legs[1] = leg;
   } else {
     float nearest = sqrt(max(shell.radius * shell.radius - ray.groundRoot, 0.0));
-    leg.lowHeight = max(-ray.groundRoot / (nearest + shell.radius), 0.0);
+    // A ray that sinks by less than a float resolves has its lowest point at its start.
+    leg.lowHeight = clamp(-ray.groundRoot / (nearest + shell.radius), 0.0, ray.height);
     leg.lowRise = 0.0;
     leg.lowSunRise = ray.sunRise - ray.rise * ray.sunAlong;
     leg.highHeight = ray.height;

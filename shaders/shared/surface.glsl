@@ -12,10 +12,10 @@
 // Cosine-weighted share of a uniform solar disc of angular radius `size` above the horizon whose
 // centre stands at `cosine` from the zenith; within 2 % of the peak at the horizon itself.
 Number sunOnHorizontal(Number cosine, Angle size) {
-  if (cosine > size) {
+  if (cosine >= size) {  // also where a point stands on the horizon
     return cosine;
   }
-  if (cosine < -size) {
+  if (cosine <= -size) {
     return 0.0;
   }
   Number up = cosine + size;
