@@ -20,8 +20,8 @@
 namespace antumbra {
 namespace {
 
-struct Probe {  // std430, passes/air_probe.comp
-  glm::vec4 ray, start, direction;
+struct Probe {                      // std430, passes/air_probe.comp
+  glm::vec4 ray, start, direction;  // direction.w: the sine of the Sun's height where ground is met
 };
 
 // The ray in the sphere's own axes, or nothing where it misses the air.
@@ -43,9 +43,14 @@ std::optional<Probe> probeOf(const Medium& medium, const SkyRequest& request,
     rise = -std::sqrt(topRoot);
     height = top;
   }
+  double sunHeight = -1.0;
+  if (rise < 0.0 && groundRoot > 0.0) {
+    double const way = height * (2.0 * radius + height) / (std::sqrt(groundRoot) - rise);
+    sunHeight = (glm::dot(start, sun) + way * glm::dot(direction, sun)) / radius;
+  }
   return Probe{glm::vec4(height, rise, glm::dot(start, sun), glm::dot(direction, sun)),
                glm::vec4(glm::vec3(start), static_cast<float>(groundRoot)),
-               glm::vec4(glm::vec3(direction), 0.0f)};
+               glm::vec4(glm::vec3(direction), static_cast<float>(sunHeight))};
 }
 
 }  // namespace
@@ -159,14 +164,13 @@ std::vector<double> SkySampler::sample(const SkyRequest& request) {
       sky->second.update(tables, request.altitude, {0.0, 0.0, 1.0}, sun);
       sky->second.bind();
     }
-    // As pictures are drawn: sunlit ground from outside with the fewer samples.
-    bool const sunlit = !useTable && cos(request.sunZenith) > kSunlitSine;
+    // As pictures are drawn: sunlit ground with the fewer samples.
     for (bool const ground : {false, true}) {
       std::vector<Probe> probes;
       std::vector<std::size_t> whose;
       for (std::size_t i = 0; i < request.directions.size(); ++i)
         if (auto const probe = probeOf(s.medium, request, request.directions[i])) {
-          bool const meets = sunlit && probe->ray.y < 0.0f && probe->start.w > 0.0f;
+          bool const meets = !useTable && probe->direction.w >= static_cast<float>(kSunlitSine);
           if (meets != ground) continue;
           probes.push_back(*probe);
           whose.push_back(i);
