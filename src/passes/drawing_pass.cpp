@@ -1,13 +1,18 @@
 #include "passes/drawing_pass.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 
 namespace antumbra {
 namespace {
 
-constexpr int kAtlas = 1024;       // texels each way
+constexpr int kAtlasWidth = 2048;  // texels: wider than a letter of the largest picture
+constexpr int kKeptRows = 1024;    // of letters from earlier drawings
 constexpr double kSharpest = 0.5;  // cosine of a bend that is still mitred
 constexpr double kFeather = 1.0;   // pixels of a line's edge beyond its half width
 constexpr Ink kDarkHalo{{6, 8, 16}, 0.75};
@@ -123,16 +128,13 @@ const DrawingPass::Placed& DrawingPass::placed(char32_t letter, double size, dou
   Placed made;
   made.glyph = typeface_->glyph(letter, size, outline);
   int const width = made.glyph.width, height = made.glyph.height;
-  if (nextTexel_.x + width > kAtlas) nextTexel_ = {0, nextTexel_.y + shelf_}, shelf_ = 0;
-  // A full atlas begins anew with the next drawing; letters without a place stay away until then.
-  if (width > kAtlas || nextTexel_.y + height > kAtlas) {
-    made.glyph.width = made.glyph.height = 0;
-    return placed_[key] = std::move(made);
-  }
+  if (nextTexel_.x + width > kAtlasWidth) nextTexel_ = {0, nextTexel_.y + shelf_}, shelf_ = 0;
   made.texel = nextTexel_;
+  auto const end = static_cast<std::size_t>(made.texel.y + height) * kAtlasWidth;
+  if (atlas_.size() < end) atlas_.resize(end, 0);
   for (int row = 0; row < height; ++row)
     std::copy_n(made.glyph.coverage.begin() + row * width, width,
-                atlas_.begin() + (made.texel.y + row) * kAtlas + made.texel.x);
+                atlas_.begin() + (made.texel.y + row) * kAtlasWidth + made.texel.x);
   made.glyph.coverage.clear();
   nextTexel_.x += width + 1;
   shelf_ = std::max(shelf_, height + 1);
@@ -167,8 +169,8 @@ void DrawingPass::prepare(const Drawing& drawing) {
   lineTriangles_.clear();
   letterTriangles_.clear();
   height_ = drawing.height;
-  if (atlas_.empty() || nextTexel_.y > kAtlas / 2) {
-    atlas_.assign(std::size_t{kAtlas} * kAtlas, 0);
+  if (nextTexel_.y > kKeptRows) {
+    atlas_.clear();
     placed_.clear();
     nextTexel_ = {0, 0};
     shelf_ = 0;
@@ -185,7 +187,23 @@ void DrawingPass::prepare(const Drawing& drawing) {
   lineVertices_.write(std::span<const Vertex>(lineTriangles_), GL_STREAM_DRAW);
   letterVertices_.write(std::span<const Vertex>(letterTriangles_), GL_STREAM_DRAW);
   if (letterTriangles_.empty() || !atlasChanged_) return;
-  if (!texture_) texture_ = gl::Texture::plane(GL_R8, kAtlas, kAtlas, gl::Filter::Nearest);
+  uploadAtlas();
+}
+
+void DrawingPass::uploadAtlas() {
+  // Twice the rows at each growth, so that few textures are made.
+  int const rows = static_cast<int>(std::bit_ceil(atlas_.size() / kAtlasWidth));
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+  if (rows > most)
+    throw std::runtime_error(
+        fmt::format("the words of the overlays are too large for this device: their letters take "
+                    "{} rows of {} texels, allowed are {}; choose a smaller text_size",
+                    rows, kAtlasWidth, most));
+  atlas_.resize(static_cast<std::size_t>(rows) * kAtlasWidth, 0);
+  if (!texture_ || texture_.height() < rows)
+    texture_ = gl::Texture::plane(GL_R8, kAtlasWidth, rows, gl::Filter::Nearest);
+  atlas_.resize(static_cast<std::size_t>(texture_.height()) * kAtlasWidth, 0);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   texture_.upload(std::span<const unsigned char>(atlas_), 1);
   atlasChanged_ = false;

@@ -44,6 +44,7 @@ class DrawingPass {
   void addWords(const DrawnWords& words, double outline, const Ink& ink);
   const Placed& placed(char32_t letter, double size, double outline);
   void triangle(const Vertex& a, const Vertex& b, const Vertex& c, bool letters);
+  void uploadAtlas();
 
   gl::Program lines_, letters_;
   GLuint vertexArray_ = 0;
@@ -52,7 +53,7 @@ class DrawingPass {
   double height_ = 0.0;
   std::unique_ptr<Typeface> typeface_;
   std::map<std::tuple<char32_t, int, int>, Placed> placed_;  // letter, size, outline in 1/16 px
-  std::vector<std::uint8_t> atlas_;
+  std::vector<std::uint8_t> atlas_;  // rows of a fixed width, as many as the letters need
   glm::ivec2 nextTexel_{0};
   int shelf_ = 0;
   bool atlasChanged_ = false;

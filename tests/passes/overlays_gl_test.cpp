@@ -102,6 +102,42 @@ TEST_F(OverlaysGlTest, LettersStandOnTheirBaseline) {
   EXPECT_NEAR(0.5 * (left + right + 1), 60.0, 1.0);
 }
 
+// As many and as large as the words of a dome master of 8192 pixels.
+TEST_F(OverlaysGlTest, NoLetterOfLargeWordsIsMissing) {
+  std::string const letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789";
+  constexpr int kSize = 200;
+  auto const inkOf = [&](DrawingPass& pass, const std::vector<DrawnWords>& words, std::size_t i) {
+    // One letter's window of the drawing.
+    Drawing drawing = blank(2 * kSize, 2 * kSize * static_cast<int>(letters.size()));
+    drawing.words = words;
+    pass.prepare(drawing);
+    SkyPicture picture({ProjectionKind::Perspective, 60.0 * degree, 2 * kSize, 2 * kSize});
+    int const fromBottom = static_cast<int>(letters.size() - 1 - i) * 2 * kSize;
+    picture.draw([&] { pass.draw({0, fromBottom}, {2 * kSize, 2 * kSize}); });
+    double sum = 0.0;
+    for (int y = 0; y < 2 * kSize; ++y)
+      for (int x = 0; x < 2 * kSize; ++x) sum += picture.at(x, y).x;
+    return sum;
+  };
+  std::vector<DrawnWords> all;
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    DrawnWords words;
+    words.text = letters[i];
+    words.at = {0.5 * kSize, 2.0 * kSize * static_cast<double>(i) + 1.4 * kSize};
+    words.size = kSize;
+    words.ink = {{255, 255, 255}, 1.0};
+    words.halo = true;
+    all.push_back(words);
+  }
+  DrawingPass pass;
+  for (std::size_t const i : {std::size_t{0}, letters.size() / 2, letters.size() - 1}) {
+    DrawingPass alone;
+    double const expected = inkOf(alone, {all[i]}, i);
+    EXPECT_GT(expected, 1000.0) << letters[i];
+    EXPECT_NEAR(inkOf(pass, all, i), expected, 1e-3 * expected) << letters[i];
+  }
+}
+
 // A cone along x, seen from the side: Sun and Moon at round distances.
 PlannedCone coneAlong(double cameraAside, double ahead) {
   PlannedCone cone;
