@@ -35,6 +35,10 @@ std::vector<PlannedCone> planCones(const Scene& scene, const PlacedScene& placed
     if (b.body->kind == "star") sun = &b;
   for (auto const& name : scene.overlays.cones) {
     const PlacedBody& caster = casterOf(placed, name, scene.overlays.conesWhere);
+    for (auto const& other : cones)
+      if (other.caster == caster.body->name)
+        throw InputError(fmt::format("{}: found {} twice; allowed: each body once",
+                                     scene.overlays.conesWhere, other.caster));
     PlannedCone cone;
     cone.caster = caster.body->name;
     cone.pair =
@@ -62,6 +66,7 @@ std::vector<PlannedCone> planCones(const Scene& scene, const PlacedScene& placed
     if (scene.overlays.coneLength) {
       double const asked = base + scene.overlays.coneLength->si;
       if (asked != end) cone.fades = true;
+      if (asked < end) cone.receiver.clear();
       end = asked;
     }
     cone.end = Length(end);

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <set>
-
 namespace antumbra {
 namespace {
 
@@ -39,8 +37,6 @@ OverlaySettings readOverlays(const Table& table) {
   if (o.cones.size() > kMostCones)
     table.fail("cones",
                fmt::format("found {} bodies; allowed: at most {}", o.cones.size(), kMostCones));
-  if (std::set<std::string>(o.cones.begin(), o.cones.end()).size() != o.cones.size())
-    table.fail("cones", "found a body twice; allowed: each once");
   if (table.has("cone_length")) {
     o.coneLength = table.length("cone_length");
     if (!(o.coneLength->si > 0.0)) table.fail("cone_length", "allowed: above 0 m");

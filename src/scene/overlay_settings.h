@@ -3,13 +3,14 @@
 // them.
 //
 //   [overlays]
-//   eclipse = "2027-08-02"      # date of greatest eclipse, TT; default: within a day of the
-//   instant central_line = true         # where the eclipse is central, all day long limits = true
-//   # of totality or annularity penumbra_limits = true      # where magnitude at maximum is 0
+//   eclipse = "2027-08-02"      # date of greatest eclipse, TT; default: within a day
+//   central_line = true         # where the eclipse is central, all day long
+//   limits = true               # of totality or annularity
+//   penumbra_limits = true      # where magnitude at maximum is 0
 //   isolines = true             # magnitude at maximum 0.2, 0.4, 0.6, 0.8
 //   horizon_curves = true       # maximum and contacts at sunrise and sunset
 //   footprint = true            # edge of the umbra or antumbra at the instant
-//   time_marks = "10 min"       # on the central line, labelled with UTC; at least 1 min
+//   time_marks = "10 min"       # on the central line, labelled with UT1; at least 1 min
 //   obscuration_labels = true   # on the isolines of the illustrative look
 //   cones = ["Moon"]            # whose umbra, antumbra and penumbra stand in space; at most 4
 //   cone_length = "600000 km"   # from the caster; default: to the body that the shadow meets, else
@@ -18,8 +19,8 @@
 //                               #   that lies below 100 km on Earth, else of the whole eclipse
 //   clock_site = "25.687,32.640,76"   # the clock's place instead
 //   legend = true               # names of the lines
-//   line_width = 1.5            # pixels, of the central line
-//   text_size = 14              # pixels; default: the picture's smaller side over 40
+//   line_width = 1.5            # pixels, of the central line; 0.5 to 20
+//   text_size = 14              # pixels, 6 to 200; default: the picture's smaller side over 40
 #pragma once
 
 #include <optional>

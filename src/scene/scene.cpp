@@ -10,7 +10,7 @@ namespace {
 void requireWithin(const Table& table, const char* key, Angle value, double low, double high) {
   double const found = value / degree;
   if (found < low || found > high)
-    table.fail(key, fmt::format("found {} deg; allowed: {} to {} deg", found, low, high));
+    table.fail(key, fmt::format("found {:.10g} deg; allowed: {} to {} deg", found, low, high));
 }
 
 CameraPlacement readCamera(const Table& table) {
@@ -92,7 +92,7 @@ DisplaySettings readDisplay(const Table& table) {
   return d;
 }
 
-Keyframe readKeyframe(const Table& table) {
+Keyframe readKeyframe(const Table& table, const CameraPlacement& camera, Projection picture) {
   Keyframe k;
   k.frame = static_cast<int>(table.integer("frame"));
   if (table.has("height")) {
@@ -108,6 +108,16 @@ Keyframe readKeyframe(const Table& table) {
   k.azimuth = angle("azimuth");
   k.altitude = angle("altitude");
   k.field = angle("field");
+  if (k.latitude) requireWithin(table, "latitude", *k.latitude, -90.0, 90.0);
+  if (k.longitude) requireWithin(table, "longitude", *k.longitude, -360.0, 360.0);
+  if (k.altitude) requireWithin(table, "altitude", *k.altitude, -90.0, 90.0);
+  for (const char* key : {"azimuth", "altitude"})
+    if (!camera.target.empty() && table.has(key))
+      table.fail(key, "found together with [camera] target; allowed: one or the other");
+  if (k.field) {
+    picture.field = *k.field;
+    picture.check(table.where("field"));
+  }
   if (table.has("time_offset")) k.timeOffset = table.duration("time_offset");
   return k;
 }
@@ -201,7 +211,7 @@ Scene readScene(const Table& table) {
       animation->fail("frames", fmt::format("found {}; allowed: 1 or more", s.frames));
   }
   for (const Table& k : table.tables("keyframe")) {
-    Keyframe const keyframe = readKeyframe(k);
+    Keyframe const keyframe = readKeyframe(k, s.camera, s.picture);
     if (keyframe.frame < 0 || keyframe.frame >= s.frames)
       k.fail("frame", fmt::format("found {}; allowed: 0 to {}", keyframe.frame, s.frames - 1));
     if (!s.keyframes.empty() && keyframe.frame <= s.keyframes.back().frame)

@@ -74,6 +74,24 @@ TEST(OverlayPlan, ConesAreThoseOfBodiesOfTheScene) {
     scene.overlays.cones = {wrong};
     EXPECT_THROW(planOf(scene, kGreatest), InputError) << wrong;
   }
+  // However it is written.
+  scene.overlays.cones = {"Moon", "moon"};
+  try {
+    planOf(scene, kGreatest);
+    ADD_FAILURE() << "one body's cone was accepted twice";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("cones"), HasSubstr("Moon twice")));
+  }
+}
+
+TEST(OverlayPlan, AConeCutShortMeetsNothing) {
+  Scene scene = shipped("cones");
+  scene.overlays.coneLength = 100000.0 * kilometre;
+  RenderPlan const plan = planOf(scene, kGreatest);
+  ASSERT_EQ(plan.overlays.cones.size(), 1u);
+  EXPECT_EQ(plan.overlays.cones.front().receiver, "");
+  EXPECT_TRUE(plan.overlays.cones.front().fades);
+  EXPECT_THAT(explain(plan), HasSubstr("shown over 100000 km"));
 }
 
 TEST(OverlayPlan, TheClockReadsTheContactsOfItsPlace) {

@@ -105,6 +105,25 @@ TEST(SolarActivity, FollowsTheSunspotCycle) {
   }
 }
 
+TEST(Scene, KeyframesKeepTheLimitsOfTheCamera) {
+  using testing::AllOf;
+  using testing::HasSubstr;
+  std::string const key = "[animation]\nframes = 3\n[[keyframe]]\nframe = 1\n";
+  auto const base = kHead + kCamera + kPicture + key;  // the keyframe's section is line 16
+  EXPECT_THAT(refusal(base + "field = \"400 deg\"\n"),
+              AllOf(HasSubstr("s.toml:18"), HasSubstr("400"), HasSubstr("360")));
+  EXPECT_THAT(refusal(base + "latitude = \"120 deg\"\n"),
+              AllOf(HasSubstr("s.toml:18"), HasSubstr("120"), HasSubstr("-90 to 90")));
+  EXPECT_THAT(refusal(base + "longitude = \"720 deg\"\n"), HasSubstr("-360 to 360"));
+  EXPECT_THAT(refusal(base + "azimuth = \"1 deg\"\n"), HasSubstr("target"));
+  std::string const free = kHead +
+                           "[camera]\nlatitude = \"0 deg\"\nlongitude = \"0 deg\"\n"
+                           "height = \"1 m\"\nazimuth = \"0 deg\"\naltitude = \"0 deg\"\n" +
+                           kPicture + key;
+  EXPECT_THAT(refusal(free + "altitude = \"91 deg\"\n"), HasSubstr("-90 to 90"));
+  EXPECT_EQ(refusal(free + "altitude = \"9 deg\"\nazimuth = \"370 deg\"\n"), "accepted");
+}
+
 TEST(Scene, KeyframesFallGeometricallyAndNeverOvershoot) {
   Scene const s = parse(kHead + kCamera + kPicture +
                         "[animation]\nframes = 12\n[[keyframe]]\nframe = 0\nheight = \"20000 km\"\n"
