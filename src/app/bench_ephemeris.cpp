@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bench_commands.h"
+#include "app/processor_clock.h"
 #include "document/document.h"
 #include "document/paths.h"
 #include "document/text_output.h"
@@ -33,13 +34,9 @@ template <class Call>
 double microseconds(int calls, Call call) {
   std::vector<double> rounds;
   for (int round = 0; round < kRounds; ++round) {
-    timespec before, after;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &before);
+    double const start = threadMicroseconds();
     for (int i = 0; i < calls; ++i) call(round * calls + i);
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &after);
-    rounds.push_back((static_cast<double>(after.tv_sec - before.tv_sec) * 1e9 +
-                      static_cast<double>(after.tv_nsec - before.tv_nsec)) /
-                     1e3 / calls);
+    rounds.push_back((threadMicroseconds() - start) / calls);
   }
   std::nth_element(rounds.begin(), rounds.begin() + kRounds / 2, rounds.end());
   return rounds[kRounds / 2];

@@ -1,9 +1,9 @@
 #include "app/draw_timing.h"
 
 #include <algorithm>
-#include <ctime>
 #include <vector>
 
+#include "app/processor_clock.h"
 #include "gl/framebuffer.h"
 #include "gl/program.h"
 #include "gl/texture.h"
@@ -12,9 +12,7 @@ namespace antumbra {
 namespace {
 
 double secondsOn(DrawClock clock) {
-  timespec now;
-  clock_gettime(clock == DrawClock::Wall ? CLOCK_MONOTONIC : CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  return clock == DrawClock::Wall ? secondsOfClock(CLOCK_MONOTONIC) : processorSeconds();
 }
 
 }  // namespace

@@ -4,7 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "app/thread_clock.h"
+#include "app/processor_clock.h"
+#include "app/trade_front.h"
 #include "document/document.h"
 #include "document/text_output.h"
 #include "ephemeris/ephemeris.h"
@@ -37,8 +38,13 @@ double timeOf(const Ephemeris& e, BodyId body) {
 void run(const Options& o) {
   if (o.dates < 100 || o.dates > 10'000'000)
     throw InputError(fmt::format("--dates: found {}; allowed: 100 to 10000000", o.dates));
-  if (o.format != "table" && o.format != "json" && o.format != "csv")
-    throw InputError(fmt::format("--format: found \"{}\"; allowed: table, csv, json", o.format));
+  requireTradeOutput(o.format, o.output);
+  std::vector<Angle> errors;
+  for (auto const& text : o.errors) {
+    errors.push_back(parseAngle(text, "--error"));
+    if (!(errors.back().si > 0.0))
+      throw InputError(fmt::format("--error: found \"{}\"; allowed: a positive angle", text));
+  }
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   std::string table = fmt::format(
       "Truncated series against the full ones, {} random dates of 1900-2100, one thread\n"
@@ -50,10 +56,7 @@ void run(const Options& o) {
   for (const auto& body : tierBodies()) {
     TierMeasurer const measurer(body, TierSpan::NearPresent, static_cast<std::size_t>(o.dates), 1);
     auto const id = bodyFromName(body + "Barycentre").value_or(*bodyFromName(body));
-    for (const auto& text : o.errors) {
-      Angle const error = parseAngle(text, "--error");
-      if (!(error.si > 0.0))
-        throw InputError(fmt::format("--error: found \"{}\"; allowed: a positive angle", text));
+    for (Angle const error : errors) {
       auto const tier = tierFor(body, TierSpan::NearPresent, error);
       auto const m = measurer.measure(tier.thresholdRadians);
       Ephemeris const e({.theory = Theory::Series, .error = error});

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "document/input_error.h"
+#include "document/whole_file.h"
 
 namespace antumbra {
 namespace {
@@ -140,9 +141,10 @@ std::string TradeFront::text(const std::string& format) const {
   return out;
 }
 
-void requireTradeFormat(const std::string& format) {
+void requireTradeOutput(const std::string& format, const std::string& output) {
   if (format != "table" && format != "json" && format != "csv")
     throw InputError(fmt::format("--format: found \"{}\"; allowed: table, csv, json", format));
+  if (!output.empty() && output != "-") requireWritable(output, "-o");
 }
 
 TradeProgress::TradeProgress(std::string what, std::size_t points)

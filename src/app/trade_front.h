@@ -63,8 +63,9 @@ class TradeFront {
   bool complete_ = true;
 };
 
-// Throws InputError unless `format` is table, csv or json.
-void requireTradeFormat(const std::string& format);
+// Throws InputError unless `format` is table, csv or json and `output` ("-": standard output) can
+// be written: before the measurement, not after it.
+void requireTradeOutput(const std::string& format, const std::string& output);
 
 // How far a walk has come, on standard error: a bar that is rewritten on a terminal, a line for
 // each point elsewhere. While one lives, the first interrupt (Control-C) only sets interrupted(),

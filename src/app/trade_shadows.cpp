@@ -6,7 +6,7 @@
 
 #include "app/commands.h"
 #include "app/scene_session.h"
-#include "app/thread_clock.h"
+#include "app/processor_clock.h"
 #include "app/trade_front.h"
 #include "document/paths.h"
 #include "document/text_output.h"
@@ -75,7 +75,7 @@ std::optional<double> inKilometres(std::optional<Length> length) {
 }
 
 void run(const Options& o) {
-  requireTradeFormat(o.format);
+  requireTradeOutput(o.format, o.output);
   if (o.points < 20 || o.points > 100000)
     throw InputError(fmt::format("--points: found {}; allowed: 20 to 100000", o.points));
   SceneOverrides overrides = o.overrides;

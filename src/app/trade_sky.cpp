@@ -8,12 +8,12 @@
 // errors alone stay within a margin of the base's.
 #include <fmt/format.h>
 
-#include <ctime>
 #include <map>
 #include <set>
 
 #include "app/commands.h"
 #include "app/draw_timing.h"
+#include "app/processor_clock.h"
 #include "app/trade_front.h"
 #include "app/trade_sky_knobs.h"
 #include "app/trade_sky_view.h"
@@ -46,12 +46,6 @@ struct Options {
   long directions = 24, repeats = 7;
   bool processorTime = false;
 };
-
-double processorSeconds() {
-  timespec now;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 struct Cost {
   double fillUnits, milliseconds, precomputeSeconds, mebibytes;
@@ -209,7 +203,7 @@ double errorOption(const std::string& text) {
 }
 
 void run(const Options& o) {
-  requireTradeFormat(o.format);
+  requireTradeOutput(o.format, o.output);
   if (o.directions < 4 || o.directions > 4096)
     throw InputError(fmt::format("--directions: found {}; allowed: 4 to 4096", o.directions));
   if (o.repeats < 7 || o.repeats > 1000)

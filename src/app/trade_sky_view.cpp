@@ -12,6 +12,7 @@
 #include "document/input_error.h"
 #include "document/paths.h"
 #include "document/text_output.h"
+#include "document/whole_file.h"
 #include "photometry/colour.h"
 #include "photometry/spectral_weights.h"
 #include "quantity/constants.h"
@@ -155,12 +156,18 @@ ReferenceSky referenceSky(const AirView& view, const std::string& file,
             "--reference: {} was made for another scene, medium or error; allowed: a file that "
             "this command wrote with the same settings, or a new name",
             file));
-      return skyOf(view, stored.at("radiances").get<std::vector<double>>(),
-                   stored.at("standard_errors").get<std::vector<double>>());
+      auto const radiances = stored.at("radiances").get<std::vector<double>>();
+      auto const errors = stored.at("standard_errors").get<std::vector<double>>();
+      std::size_t const count = view.question.directions.size() * view.question.wavelengths.size();
+      if (radiances.size() != count || errors.size() != count)
+        throw InputError(fmt::format("--reference: {}: found {} radiances and {} errors; allowed: {}",
+                                     file, radiances.size(), errors.size(), count));
+      return skyOf(view, radiances, errors);
     } catch (const nlohmann::json::exception& error) {
       throw InputError(fmt::format("--reference: {}: {}", file, error.what()));
     }
   }
+  if (!file.empty()) requireWritable(file, "--reference");
   auto const answer = skyMethods().at("reference")(view.question, progress);
   std::vector<double> values, errors;
   for (auto const& e : answer.radiances) {

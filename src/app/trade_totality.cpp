@@ -5,9 +5,9 @@
 
 #include <chrono>
 #include <cmath>
-#include <ctime>
 
 #include "app/commands.h"
+#include "app/processor_clock.h"
 #include "app/sky_methods.h"
 #include "app/trade_front.h"
 #include "document/document.h"
@@ -100,12 +100,6 @@ struct Cost {
   double wallMs, processorMs;
 };
 
-double processorSeconds() {
-  timespec now;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 // Of one solution, the programs compiled: least of three.
 Cost costOf(const Case& c, const AirQuality& quality) {
   auto const pair = skyRequestOf(c.question).casters.front();
@@ -161,7 +155,7 @@ std::vector<Point> pointsAround(const std::string& preset) {
 }
 
 void run(const Options& o) {
-  requireTradeFormat(o.format);
+  requireTradeOutput(o.format, o.output);
   double const error = parseNumber(o.error, "--stderr");
   if (!(error >= 0.1 && error <= 10.0))
     throw InputError(fmt::format("--stderr: found {}; allowed: 0.1 to 10 (percent)", o.error));
@@ -191,7 +185,8 @@ void run(const Options& o) {
     for (auto const& e : c.question.irradiance ? answer.diffuse : answer.radiances)
       c.expected.push_back(e.value);
     progress.finished("reference");
-    if (TradeProgress::interrupted()) return;
+    if (TradeProgress::interrupted())
+      throw std::runtime_error("interrupted before the reference was known; nothing is written");
   }
   for (auto const& p : points) {
     std::string const name = p.knob + " " + p.value;

@@ -15,4 +15,9 @@ namespace antumbra {
 void writeWholeFile(const std::filesystem::path& target, const std::string& where,
                     const std::function<void(const std::filesystem::path& temporary)>& write);
 
+// What writeWholeFile would fail by, before long work: throws InputError that opens with `where`
+// unless the target's folder exists and may be written to, and the target is absent or a regular
+// file.
+void requireWritable(const std::filesystem::path& target, const std::string& where);
+
 }  // namespace antumbra

@@ -2,7 +2,6 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "document/input_error.h"
 #include "document/whole_file.h"
@@ -55,12 +54,7 @@ void checkOutputFile(const fs::path& file, const std::string& where) {
   if (extension != ".png" && extension != ".exr")
     throw InputError(fmt::format("{}: found \"{}\"; allowed: a file ending in .png or .exr", where,
                                  file.string()));
-  fs::path const folder = file.parent_path().empty() ? fs::path(".") : file.parent_path();
-  if (!fs::is_directory(folder))
-    throw InputError(
-        fmt::format("{}: folder \"{}\" does not exist; make it first", where, folder.string()));
-  if (access(folder.c_str(), W_OK) != 0)
-    throw InputError(fmt::format("{}: folder \"{}\" cannot be written to", where, folder.string()));
+  requireWritable(file, where);
 }
 
 DecodedImage readImage(const fs::path& file, const std::string& where) {

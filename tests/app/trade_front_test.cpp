@@ -81,7 +81,11 @@ TEST(TradeFrontTest, TheTableIsInOrderOfCost) {
 TEST(TradeFrontTest, RefusesRowsWithoutCostAndUnknownFormats) {
   TradeFront front("sky", "fill_units", "error_percent");
   EXPECT_THROW(front.add({{"fill_units", cell(1.0, 1)}}), std::logic_error);
-  EXPECT_THROW(requireTradeFormat("xml"), InputError);
+  EXPECT_THROW(requireTradeOutput("xml", "-"), InputError);
+  EXPECT_NO_THROW(requireTradeOutput("json", "-"));
+  EXPECT_NO_THROW(requireTradeOutput("csv", "trade.csv"));
+  EXPECT_THROW(requireTradeOutput("json", "/no/such/folder/trade.json"), InputError);
+  EXPECT_THROW(requireTradeOutput("json", "/tmp"), InputError);
 }
 
 }  // namespace

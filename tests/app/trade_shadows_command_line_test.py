@@ -46,7 +46,10 @@ class TradeShadows(unittest.TestCase):
     def test_leaves_no_half_written_file(self):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "missing" / "s.json"
-            self.assertNotEqual(run("--points", "20", "-o", str(file)).returncode, 0)
+            result = run("--points", "20", "-o", str(file))
+            self.assertEqual(result.returncode, 2)
+            self.assertIn("-o: folder", result.stderr)
+            self.assertNotIn("rays to the Sun", result.stderr)  # before the measurement
             self.assertEqual(list(pathlib.Path(folder).rglob("*")), [])
 
 

@@ -88,6 +88,12 @@ TEST(TradeSky, MeasuresTwoPointsAndKeepsTheReference) {
   ASSERT_TRUE(std::filesystem::exists(file));
   EXPECT_THAT(tradeSky(sceneFile("whole_earth") + options),
               AllOf(HasSubstr("--reference"), HasSubstr("another scene")));
+  // So is one that has lost a direction.
+  auto stored = nlohmann::ordered_json::parse(std::ifstream(file));
+  stored["radiances"].erase(stored["radiances"].begin());
+  std::ofstream(file) << stored;
+  EXPECT_THAT(tradeSky(sceneFile("day_sky") + options),
+              AllOf(HasSubstr("--reference"), HasSubstr("63 radiances"), HasSubstr("64")));
   std::filesystem::remove(file);
 }
 
