@@ -6,8 +6,8 @@
 // and the area inside a ring, which is small and smooth, by Gauss-Legendre nodes along the arcs.
 // Measured against rays for two to six discs (tests/eclipse/several_casters_test.cpp): within 3e-4 of
 // the whole Sun, which is the rays' own error; in floats within 5e-5 of doubles. The least of the
-// single lights errs by up to 0.55, their product by up to 0.28. Relative precision near totality is not kept: a crescent that one caster
-// leaves alone is visibleFraction's.
+// single lights errs by up to 0.55, their product by up to 0.28. Relative precision near totality is
+// not kept: a crescent that one caster leaves alone is visibleFraction's.
 #ifndef SHARED_SEVERAL_CASTERS_GLSL
 #define SHARED_SEVERAL_CASTERS_GLSL
 #include "shared/eclipse.glsl"

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "app/commands.h"
-#include "app/scene_session.h"
 #include "app/processor_clock.h"
+#include "app/scene_session.h"
 #include "app/trade_front.h"
 #include "document/paths.h"
 #include "document/text_output.h"

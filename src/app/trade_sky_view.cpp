@@ -160,8 +160,9 @@ ReferenceSky referenceSky(const AirView& view, const std::string& file,
       auto const errors = stored.at("standard_errors").get<std::vector<double>>();
       std::size_t const count = view.question.directions.size() * view.question.wavelengths.size();
       if (radiances.size() != count || errors.size() != count)
-        throw InputError(fmt::format("--reference: {}: found {} radiances and {} errors; allowed: {}",
-                                     file, radiances.size(), errors.size(), count));
+        throw InputError(
+            fmt::format("--reference: {}: found {} radiances and {} errors; allowed: {}", file,
+                        radiances.size(), errors.size(), count));
       return skyOf(view, radiances, errors);
     } catch (const nlohmann::json::exception& error) {
       throw InputError(fmt::format("--reference: {}: {}", file, error.what()));

@@ -2,8 +2,8 @@
 // disc: no cones, no discs, no overlap formula. The reference that the shared functions
 // (shaders/shared/eclipse.glsl, several_casters.glsl) and their shortcuts are measured against.
 //
-// Rings of the disc at Gauss-Legendre nodes of mu, each ring's hidden arcs by ray casting with
-// their ends bisected to 1e-9 rad. Error: below 1e-4 of the whole Sun
+// Rings of the disc by adaptive Simpson over the root of mu, each ring's hidden arcs by ray casting
+// with their ends bisected to 1e-9 rad. Error: below 1e-4 of the whole Sun
 // (tests/eclipse/rays_to_sun_test.cpp); an arc shorter than the sampling step may be missed.
 #pragma once
 

@@ -5,7 +5,7 @@
 // shadow with its penumbra, filtered over the pixel. Their shadow on the globe is the light that
 // passes them, exp(-depth / sine of the Sun's height), averaged over the limb-darkened disc: a
 // table over the radius and the width of the Sun's disc on the rings. Error of the table against
-// rays to the disc: tests/passes/rings_gl_test.cpp.
+// rays to the disc: tests/picture/rings_gl_test.cpp.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -262,15 +262,14 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
             [](auto const& x, auto const& y) { return x.first > y.first; });
   for (auto& [distance, p] : discs) plan.bodies.push_back(std::move(p));
 
-  // The Sun is wholly hidden only where the whole of it lies behind one body's spheroid (its polar
-  // radius is the safe one).
+  // The Sun is wholly hidden only where it and the bright part of its corona, to twelve of its
+  // radii, lie behind one body's spheroid (its polar radius is the safe one).
   for (auto const& b : plan.bodies) {
     Length const distance = norm(b.centre);
     if (distance >= plan.sun.distance) continue;
     Angle const disc = angularRadius(b.polarRadius, distance);
-    if (angleBetween(directionOf(b.centre), plan.sun.direction) + plan.sun.angularRadius < disc &&
-        angleBetween(directionOf(b.centre), plan.sun.direction) + 12.0 * plan.sun.angularRadius <
-            disc) {
+    if (angleBetween(directionOf(b.centre), plan.sun.direction) + 12.0 * plan.sun.angularRadius <
+        disc) {
       plan.sun.hiddenByBody = true;
       plan.sun.hiddenBy = b.name;
     }

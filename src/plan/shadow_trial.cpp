@@ -59,7 +59,7 @@ class AirProfile {
   // From a place at `radius` above a ground of radius `ground`, toward a Sun at `cosine` from the
   // vertical.
   double passed(double radius, double cosine, double ground) const {
-    double const nearest = radius * std::sqrt(1.0 - cosine * cosine);
+    double const nearest = radius * std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
     if (cosine < 0.0 && nearest < ground) return 0.0;
     double const highest = ground + top_;
     double const from = radius * cosine, to = std::sqrt(highest * highest - nearest * nearest);
