@@ -1,34 +1,29 @@
-// `antumbra trade sky SCENE`: the knobs of the air, their error against the reference path tracer
-// and their cost.
+// `antumbra trade sky SCENE...`: the knobs of the air, their error against the reference path
+// tracer and their cost.
 //
-// Each point draws the scene's air by the programs of `render` (time of the sky table and of the
-// body with its air; tables' memory and time to compute) and asks the same programs for the light
-// of fixed directions of the picture (passes/sky_sampler.h; the ground has the medium's albedo).
-// First every knob alone is turned about a base, then all together to their cheapest values whose
-// errors alone stay within a margin of the base's.
+// Each point draws the air of each scene by the programs of `render` (time of the sky table and of
+// the body with its air; tables' memory and time to compute) and asks the same programs for the
+// light of fixed directions of the picture (passes/sky_sampler.h; the ground has the medium's
+// albedo). Errors and times of several scenes are averaged. Measured are the presets; every knob
+// alone, turned about a base; all together at their cheapest values whose errors alone stay within
+// a margin of the base's; and every other preset with one knob a step lower, the only neighbours
+// that could beat it.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <map>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <set>
 
 #include "app/commands.h"
-#include "app/draw_timing.h"
-#include "app/processor_clock.h"
 #include "app/trade_front.h"
 #include "app/trade_sky_knobs.h"
-#include "app/trade_sky_view.h"
+#include "app/trade_sky_meter.h"
 #include "document/document.h"
 #include "document/paths.h"
 #include "document/text_output.h"
-#include "gl/buffer.h"
 #include "gl/context.h"
-#include "gl/framebuffer.h"
-#include "gl/texture.h"
-#include "gl/view_block.h"
-#include "output/image_file.h"
-#include "passes/air_tables.h"
-#include "passes/bodies.h"
-#include "passes/sky_sampler.h"
 
 namespace antumbra {
 namespace {
@@ -39,16 +34,13 @@ constexpr double kCostTolerance = 0.05;
 constexpr double kMargins[] = {0.02, 0.05, 0.1, 0.2, 0.5, 1.0};
 
 struct Options {
-  std::string scene, base = "balanced", format = "table", output = "-", error = "1.5%", reference;
+  std::vector<std::string> scenes;
+  std::string base = "balanced", format = "table", output = "-", error = "1.5%", reference;
   std::vector<std::string> presets{"draft", "balanced", "accurate"};
   std::vector<std::string> knobs{"all"};
   SceneOverrides overrides;
   long directions = 24, repeats = 7;
   bool processorTime = false;
-};
-
-struct Cost {
-  double fillUnits, milliseconds, precomputeSeconds, mebibytes;
 };
 
 struct Point {
@@ -58,113 +50,59 @@ struct Point {
 
 struct Measured {
   Point point;
-  SkyError error;
-  Cost cost;
+  std::vector<AirMeasurement> views;
+  AirMeasurement all;
 };
 
-// Draws and samples the view at any quality.
-class AirMeter {
- public:
-  AirMeter(const AirView& view, const Options& options)
-      : view_(view),
-        repeats_(static_cast<int>(options.repeats)),
-        clock_(options.processorTime ? DrawClock::Processor : DrawClock::Wall),
-        target_(gl::Texture::plane(GL_RGBA32F, view.picture.width, view.picture.height)),
-        framebuffer_({&target_}) {
-    viewBlock_.write(gl::viewBlockOf(view.picture));
-  }
+std::string stemOf(const AirView& view) { return std::filesystem::path(view.scene).stem(); }
 
-  Measured measure(const Point& point, const ReferenceSky& reference) {
-    BodiesPass bodies(
-        [this](const std::string& file, const std::string& where) {
-          auto& image = images_[file];
-          if (image.texels.empty()) image = readImage(catalogsFolder() / file, where);
-          return image;
-        },
-        point.quality);
-    Measured m{point, {}, {}};
-    PlannedBody plain = view_.body;  // maps are no part of the time to compute tables
-    plain.map = plain.waterMask = plain.nightMap = "";
-    double const before = processorSeconds();
-    bodies.prepare(plain, view_.picture, {});
-    m.cost.precomputeSeconds = processorSeconds() - before;
-    bodies.prepare(view_.body, view_.picture, {});
-    if (clock_ == DrawClock::Wall) {
-      m.cost.precomputeSeconds = 0.0;
-      for (auto const& [name, seconds] : bodies.precomputeSeconds())
-        m.cost.precomputeSeconds += seconds;
+RowTable::Row rowOf(const Measured& m, const std::vector<AirView>& views) {
+  auto const& e = m.all.error;
+  auto const worst = std::find_if(m.views.begin(), m.views.end(), [&](const AirMeasurement& v) {
+    return v.error.worst == e.worst;
+  });
+  auto const& view = views[static_cast<std::size_t>(worst - m.views.begin())];
+  auto const& u = view.question.directions[worst->error.worstDirection].u;
+  RowTable::Row row{
+      {"point", m.point.name},
+      {"luminance_error_percent", cell(100.0 * e.luminance, 3)},
+      {"worst_percent", cell(100.0 * e.worst, 2)},
+      {"worst_view_zenith_deg", cell(arcTangent(std::hypot(u.x, u.y), u.z) / degree, 2)},
+      {"worst_rel_azimuth_deg", cell(arcTangent(u.y, u.x) / degree, 1)},
+      {"delta_e2000", cell(e.deltaE, 3)},
+      {"worst_delta_e2000", cell(e.worstDeltaE, 3)},
+      {"fill_units", cell(m.all.cost.fillUnits, 3)},
+      {"draw_ms", cell(m.all.cost.milliseconds, 2)},
+      {"precompute_s", cell(m.all.cost.precomputeSeconds, 3)},
+      {"memory_mib", cell(m.all.cost.mebibytes, 2)}};
+  if (views.size() > 1) {
+    row.insert(row.begin() + 3, {"worst_scene", stemOf(view)});
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      row.emplace_back(stemOf(views[i]) + "_error_percent",
+                       cell(100.0 * m.views[i].error.luminance, 3));
+      row.emplace_back(stemOf(views[i]) + "_fill_units", cell(m.views[i].cost.fillUnits, 3));
     }
-    std::size_t bytes = 0;
-    for (auto const& [name, count] : bodies.residentBytes())
-      if (!name.starts_with("map ")) bytes += count;
-    m.cost.mebibytes = static_cast<double>(bytes) / 1048576.0;
-
-    double const unit = fillUnitSeconds(view_.picture.width, view_.picture.height, clock_);
-    double seconds = 0.0;
-    if (bodies.repeatSky(view_.body))
-      seconds += medianSeconds([&] { bodies.repeatSky(view_.body); }, repeats_, clock_);
-    seconds += medianSeconds(
-        [&] {
-          framebuffer_.bind();
-          viewBlock_.bindUniform(0);
-          bodies.draw(view_.body, view_.picture, {0, 0},
-                      {view_.picture.width, view_.picture.height});
-        },
-        repeats_, clock_);
-    m.cost.milliseconds = 1e3 * seconds;
-    m.cost.fillUnits = seconds / unit;
-
-    const AirTables* const tables = bodies.airOf(view_.body);
-    SkySampler sampler(view_.question.medium, *tables);
-    SkyRequest request;
-    request.altitude = Length(view_.question.camera.m.z) - view_.question.medium.radius;
-    request.sunZenith = view_.sunZenith;
-    request.sunRadius = view_.question.sun.discRadius;
-    for (auto const& d : view_.question.directions)
-      request.directions.push_back(
-          {arcTangent(std::hypot(d.u.x, d.u.y), d.u.z), arcTangent(d.u.y, d.u.x)});
-    m.error =
-        errorAgainst(reference, coloursOf(view_, tables->wavelengths(), sampler.sample(request)));
-    return m;
   }
-
- private:
-  const AirView& view_;
-  int repeats_;
-  DrawClock clock_;
-  std::map<std::string, DecodedImage> images_;
-  gl::Texture target_;
-  gl::Framebuffer framebuffer_;
-  gl::Buffer viewBlock_;
-};
-
-RowTable::Row rowOf(const Measured& m, const AirView& view) {
-  auto const& u = view.question.directions[m.error.worstDirection].u;
-  return {{"point", m.point.name},
-          {"luminance_error_percent", cell(100.0 * m.error.luminance, 3)},
-          {"worst_percent", cell(100.0 * m.error.worst, 2)},
-          {"worst_view_zenith_deg", cell(arcTangent(std::hypot(u.x, u.y), u.z) / degree, 2)},
-          {"worst_rel_azimuth_deg", cell(arcTangent(u.y, u.x) / degree, 1)},
-          {"delta_e2000", cell(m.error.deltaE, 3)},
-          {"worst_delta_e2000", cell(m.error.worstDeltaE, 3)},
-          {"fill_units", cell(m.cost.fillUnits, 3)},
-          {"draw_ms", cell(m.cost.milliseconds, 2)},
-          {"precompute_s", cell(m.cost.precomputeSeconds, 3)},
-          {"memory_mib", cell(m.cost.mebibytes, 2)}};
+  return row;
 }
 
-std::vector<AirKnob> chosenKnobs(const Options& o, const AirView& view) {
+std::vector<AirKnob> chosenKnobs(const Options& o, const std::vector<AirView>& views) {
   std::set<std::string> wanted(o.knobs.begin(), o.knobs.end());
   bool const all = wanted.contains("all");
   std::string known = "all, none";
   std::vector<AirKnob> knobs;
-  bool const low = view.question.camera.m.z - view.question.medium.radius.si <
-                   0.2 * view.question.medium.topHeight.si;
+  auto const isLow = [](const AirView& view) {
+    return view.question.camera.m.z - view.question.medium.radius.si <
+           0.2 * view.question.medium.topHeight.si;
+  };
+  bool const anyLow = std::any_of(views.begin(), views.end(), isLow);
+  bool const allLow = std::all_of(views.begin(), views.end(), isLow);
   for (auto const& knob : airKnobs()) {
     known += ", " + knob.name;
-    // What this camera's programs do not read.
-    bool const idle = low ? knob.name == "view_samples" || knob.name == "ground_samples"
-                          : knob.name == "sky_samples" || knob.name == "sky";
+    // What these cameras' programs do not read.
+    bool const idle = knob.name == "view_samples" || knob.name == "ground_samples" ? allLow
+                      : knob.name == "sky_samples" || knob.name == "sky"           ? !anyLow
+                                                                                   : false;
     if (wanted.erase(knob.name) || (all && !idle)) knobs.push_back(knob);
   }
   wanted.erase("all");
@@ -184,12 +122,45 @@ Point together(const std::vector<AirKnob>& knobs, const std::vector<Measured>& a
       setting.set(only);
       auto const found = std::find_if(alone.begin(), alone.end(),
                                       [&](const Measured& m) { return m.point.quality == only; });
-      if (found == alone.end() || 100.0 * found->error.luminance > baseError + margin) continue;
+      if (found == alone.end() || 100.0 * found->all.error.luminance > baseError + margin) continue;
       setting.set(point.quality);
       if (!(only == base)) point.name += (point.name.empty() ? "" : "; ") + setting.text;
       break;
     }
   return point;
+}
+
+// One knob each a step below a point's.
+std::vector<Point> stepsDown(const std::vector<AirKnob>& knobs, const Point& from) {
+  std::vector<Point> points;
+  for (auto const& knob : knobs) {
+    const KnobSetting* next = nullptr;
+    for (auto const& setting : knob.settings)
+      if (setting.size < knob.size(from.quality)) next = &setting;
+    if (!next) continue;
+    points.push_back({from.name + "; " + next->text, from.quality});
+    next->set(points.back().quality);
+  }
+  return points;
+}
+
+// A preset's knobs as its file has them, for whoever reads the numbers later.
+std::string settingsOf(const std::string& preset) {
+  std::ifstream in(configsFolder() / "quality" / (preset + ".toml"));
+  std::string line, all;
+  while (std::getline(in, line))
+    if (line.find(" = ") != std::string::npos && !line.starts_with('#') &&
+        !line.starts_with("eclipse"))
+      all += (all.empty() ? "" : "; ") + line;
+  return all;
+}
+
+void requirePreset(const std::string& name, const std::string& option,
+                   const std::string& otherwise) {
+  if (name.find('/') != std::string::npos ||
+      !std::filesystem::exists(configsFolder() / "quality" / (name + ".toml")))
+    throw InputError(fmt::format("{}: found \"{}\"; allowed: {}names of configs/quality", option,
+                                 name, otherwise));
 }
 
 double errorOption(const std::string& text) {
@@ -208,54 +179,67 @@ void run(const Options& o) {
     throw InputError(fmt::format("--directions: found {}; allowed: 4 to 4096", o.directions));
   if (o.repeats < 7 || o.repeats > 1000)
     throw InputError(fmt::format("--repeat: found {}; allowed: 7 to 1000", o.repeats));
-  SceneSession const session(o.scene, o.overrides);
-  auto const moment = session.at(0);
-  AirView view = airViewOf(moment, static_cast<std::size_t>(o.directions));
-  view.question.tracing.relativeError = errorOption(o.error);
+  std::vector<AirView> views;
+  double const relativeError = errorOption(o.error);
+  for (auto const& scene : o.scenes) {
+    SceneSession const session(scene, o.overrides);
+    views.push_back(airViewOf(session.at(0), static_cast<std::size_t>(o.directions)));
+    views.back().question.tracing.relativeError = relativeError;
+    for (std::size_t i = 0; i + 1 < views.size(); ++i)
+      if (stemOf(views[i]) == stemOf(views.back()))
+        throw InputError(fmt::format("{}: found a second scene called {}; allowed: different names",
+                                     scene, stemOf(views[i])));
+  }
   std::vector<Point> points;
   for (auto const& preset : o.presets) {
     if (preset == "none") continue;
-    if (!std::filesystem::exists(configsFolder() / "quality" / (preset + ".toml")))
-      throw InputError(fmt::format(
-          "--presets: found \"{}\"; allowed: none, or names of configs/quality", preset));
+    requirePreset(preset, "--presets", "none, or ");
     points.push_back({preset, AirQuality::preset(preset)});
   }
-  if (!std::filesystem::exists(configsFolder() / "quality" / (o.base + ".toml")))
-    throw InputError(
-        fmt::format("--base: found \"{}\"; allowed: names of configs/quality", o.base));
+  requirePreset(o.base, "--base", "");
   AirQuality const base = AirQuality::preset(o.base);
   auto const has = [&](const AirQuality& q) {
     return std::any_of(points.begin(), points.end(),
                        [&](const Point& p) { return p.quality == q; });
   };
   if (!has(base)) points.push_back({o.base, base});
-  auto const knobs = chosenKnobs(o, view);
+  std::vector<Point> const presets = points;
+  auto const knobs = chosenKnobs(o, views);
   for (auto const& knob : knobs)
     for (auto const& setting : knob.settings) {
       Point point{setting.text, base};
       setting.set(point.quality);
       if (!has(point.quality)) points.push_back(point);
     }
+  for (auto const& preset : presets)
+    if (!(preset.quality == base))
+      for (auto const& step : stepsDown(knobs, preset))
+        if (!has(step.quality)) points.push_back(step);
   bool const combine = knobs.size() > 1;
 
   gl::HeadlessContext const context;
   gl::prepareContext();
   auto const device = gl::describeDevice();
   TradeProgress progress("trade sky", points.size() + 1 + (combine ? std::size(kMargins) : 0));
-  ReferenceSky const reference = referenceSky(view, o.reference, [&](double share) {
+  auto const references = referenceSkies(views, o.reference, [&](std::size_t view, double share) {
     if (TradeProgress::interrupted())
       throw std::runtime_error("interrupted before the reference was known; nothing is written");
-    progress.at("reference", std::min(share, 1.0));
+    progress.at("reference of " + stemOf(views[view]),
+                (static_cast<double>(view) + share) / static_cast<double>(views.size()));
   });
-  double const noise = 100.0 * reference.meanRelativeError();
+  double noise = 0.0;
+  for (auto const& reference : references)
+    noise += 100.0 * reference.meanRelativeError() / static_cast<double>(references.size());
   progress.finished(fmt::format("reference, standard error {:.2f} %", noise));
 
-  AirMeter meter(view, o);
+  AirMeter meter(views, references, static_cast<int>(o.repeats),
+                 o.processorTime ? DrawClock::Processor : DrawClock::Wall);
   std::vector<Measured> measured;
   auto const walk = [&](const Point& point) {
     if (TradeProgress::interrupted()) return false;
     progress.at(point.name, 0.0);
-    measured.push_back(meter.measure(point, reference));
+    auto const of = meter.measure(point.quality);
+    measured.push_back({point, of, overall(of)});
     progress.finished(point.name);
     return true;
   };
@@ -264,7 +248,7 @@ void run(const Options& o) {
   if (combine && complete) {
     auto const own = std::find_if(measured.begin(), measured.end(),
                                   [&](const Measured& m) { return m.point.quality == base; });
-    double const baseError = 100.0 * own->error.luminance;
+    double const baseError = 100.0 * own->all.error.luminance;
     std::vector<Measured> const alone = measured;
     for (double margin : kMargins) {
       Point const point = together(knobs, alone, base, baseError, margin);
@@ -282,24 +266,28 @@ void run(const Options& o) {
   front.alsoCost("precompute_s");
   front.alsoCost("memory_mib");
   // The mean over directions that the reference knows is itself uncertain by this much.
-  front.tolerate(kCostTolerance, noise / std::sqrt(static_cast<double>(o.directions)));
-  front.note("scene", o.scene);
+  front.tolerate(kCostTolerance,
+                 noise / std::sqrt(static_cast<double>(o.directions * std::ssize(views))));
+  front.note("scene", fmt::format("{}", fmt::join(o.scenes, " ")));
   front.note("device", device.renderer);
-  front.note("picture", fmt::format("{}x{}", view.picture.width, view.picture.height));
-  front.note("view", fmt::format("{}, camera {:.6g} km above the ground, Sun {:.2f} deg from the "
-                                 "zenith",
-                                 view.body.atmosphere, view.body.cameraHeight / kilometre,
-                                 view.sunZenith / degree));
+  for (auto const& view : views)
+    front.note("view " + stemOf(view),
+               fmt::format("{}x{}, {}, camera {:.6g} km above the ground, Sun {:.2f} deg from the "
+                           "zenith",
+                           view.picture.width, view.picture.height, view.body.atmosphere,
+                           view.body.cameraHeight / kilometre, view.sunZenith / degree));
   front.note("reference",
-             fmt::format("Monte Carlo path tracer, {} directions at {} wavelengths, standard error "
-                         "of a luminance {:.2f} % in the mean",
-                         view.question.directions.size(), view.question.wavelengths.size(), noise));
+             fmt::format(
+                 "Monte Carlo path tracer, {} directions a scene at {} wavelengths, standard error "
+                 "of a luminance {:.2f} % in the mean",
+                 o.directions, views.front().question.wavelengths.size(), noise));
   front.note("base", o.base);
+  for (auto const& preset : presets) front.note("preset " + preset.name, settingsOf(preset.name));
   front.note("times", o.processorTime
                           ? "processor time of all threads, tables with the compilation "
                             "of their programs"
                           : "wall clock");
-  for (auto const& m : measured) front.add(rowOf(m, view));
+  for (auto const& m : measured) front.add(rowOf(m, views));
   if (!complete) front.markIncomplete();
   writeTextFile(o.output, front.text(o.format));
 }
@@ -310,7 +298,11 @@ void addTradeSky(CLI::App& trade) {
   auto const o = std::make_shared<Options>();
   auto* command = trade.add_subcommand(
       "sky", "Knobs of the air: error against the reference path tracer, time, memory");
-  command->add_option("scene", o->scene, "Scene file, as configs/scenes/day_sky.toml")->required();
+  command
+      ->add_option("scene", o->scenes,
+                   "Scene files, as configs/scenes/day_sky.toml; errors and times of several are "
+                   "averaged")
+      ->required();
   command->add_option("--base", o->base, "Preset about which each knob is turned (balanced)");
   command
       ->add_option("--presets", o->presets,
@@ -333,7 +325,12 @@ void addTradeSky(CLI::App& trade) {
   command->add_option("--format", o->format, "table, json or csv");
   command->add_option("-o,--output", o->output, "File instead of standard output");
   command->footer(
-      "Control-C ends the walk with the points it has.\n"
+      "Errors are those of luminance, mean over directions and scenes, against a Monte Carlo path\n"
+      "tracer of all orders; delta_e2000 that of colour. Costs: the time of the sky table and of "
+      "the\n"
+      "body with its air in fill units (README, Times), the time to compute the air's tables, and\n"
+      "their memory. A point is on the front unless another is no worse in the error and in every\n"
+      "cost and better in one. Control-C ends the walk with the points it has.\n"
       "Example:\n  antumbra trade sky configs/scenes/day_sky.toml --format json -o sky.json\n"
       "  tools/plot sky.json -o sky.svg --x fill_units --y luminance_error_percent --label point");
   command->callback([o] { run(*o); });

@@ -6,23 +6,24 @@ namespace antumbra {
 namespace {
 
 AirKnob knob(const std::string& name, int AirQuality::*member, std::initializer_list<int> values) {
-  AirKnob k{name, {}};
+  AirKnob k{name, {}, [=](const AirQuality& q) { return q.*member; }};
   for (int value : values)
     k.settings.push_back(
-        {fmt::format("{} = {}", name, value), [=](AirQuality& q) { q.*member = value; }});
+        {fmt::format("{} = {}", name, value), [=](AirQuality& q) { q.*member = value; }, value});
   return k;
 }
 
 AirKnob knob(const std::string& name, const std::string& first, int AirQuality::*a,
              const std::string& second, int AirQuality::*b,
              std::initializer_list<std::pair<int, int>> values) {
-  AirKnob k{name, {}};
+  AirKnob k{name, {}, [=](const AirQuality& q) { return q.*a; }};
   for (auto const& [x, y] : values)
-    k.settings.push_back(
-        {fmt::format("{} = {}; {} = {}", first, x, second, y), [=, x = x, y = y](AirQuality& q) {
-           q.*a = x;
-           q.*b = y;
-         }});
+    k.settings.push_back({fmt::format("{} = {}; {} = {}", first, x, second, y),
+                          [=, x = x, y = y](AirQuality& q) {
+                            q.*a = x;
+                            q.*b = y;
+                          },
+                          x});
   return k;
 }
 
@@ -43,13 +44,15 @@ const std::vector<AirKnob>& airKnobs() {
         knob("source_samples", &Q::sourceSamples, {6, 8, 12, 16, 24}),
         knob("sky_samples", &Q::skySamples, {8, 12, 16, 24, 32}),
         knob("sky", "sky_width", &Q::skyWidth, "sky_height", &Q::skyHeight,
-             {{24, 64}, {32, 96}, {48, 128}, {64, 192}, {96, 256}}),
+             {{24, 64}, {32, 96}, {48, 128}, {64, 160}, {72, 192}, {96, 256}}),
         knob("view_samples", &Q::viewSamples, {6, 8, 10, 12, 16, 24}),
-        knob("ground_samples", &Q::groundSamples, {2, 3, 4, 5, 7, 10}),
+        knob("ground_samples", &Q::groundSamples, {2, 3, 4, 5, 6, 8, 10}),
     };
+    auto const bits = [](const Q& q) { return q.storage == AirStorage::Half ? 16 : 32; };
     list.push_back({"storage",
-                    {{"storage = half", [](Q& q) { q.storage = AirStorage::Half; }},
-                     {"storage = float", [](Q& q) { q.storage = AirStorage::Float; }}}});
+                    {{"storage = half", [](Q& q) { q.storage = AirStorage::Half; }, 16},
+                     {"storage = float", [](Q& q) { q.storage = AirStorage::Float; }, 32}},
+                    bits});
     return list;
   }();
   return all;

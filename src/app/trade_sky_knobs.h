@@ -14,10 +14,12 @@ namespace antumbra {
 struct KnobSetting {
   std::string text;  // as "source_width = 96; source_height = 24"
   std::function<void(AirQuality&)> set;
+  int size = 0;  // what orders the settings, of the first key
 };
 struct AirKnob {
   std::string name;
   std::vector<KnobSetting> settings;
+  std::function<int(const AirQuality&)> size;  // where a quality stands among them
 };
 const std::vector<AirKnob>& airKnobs();
 

@@ -88,6 +88,7 @@ double ReferenceSky::meanRelativeError() const {
 
 AirView airViewOf(const SceneSession::Moment& moment, std::size_t count) {
   AirView view;
+  view.scene = moment.scene.file;
   view.body = bodyWithAir(moment);
   view.picture = moment.plan.picture;
   auto const& body = view.body;
@@ -145,44 +146,58 @@ AirView airViewOf(const SceneSession::Moment& moment, std::size_t count) {
   return view;
 }
 
-ReferenceSky referenceSky(const AirView& view, const std::string& file,
-                          const std::function<void(double)>& progress) {
-  auto const description = descriptionOf(view);
+std::vector<ReferenceSky> referenceSkies(const std::vector<AirView>& views, const std::string& file,
+                                         const std::function<void(std::size_t, double)>& progress) {
+  using json = nlohmann::ordered_json;
+  json descriptions = json::array();
+  for (auto const& view : views) descriptions.push_back(descriptionOf(view));
+  std::vector<ReferenceSky> skies;
   if (!file.empty() && std::filesystem::exists(file)) {
     try {
-      auto const stored = nlohmann::ordered_json::parse(std::ifstream(file));
-      if (stored.at("of") != description)
+      auto const stored = json::parse(std::ifstream(file));
+      json found = json::array();
+      for (auto const& sky : stored.at("skies")) found.push_back(sky.at("of"));
+      if (found != descriptions)
         throw InputError(fmt::format(
-            "--reference: {} was made for another scene, medium or error; allowed: a file that "
+            "--reference: {} was made for other scenes, media or errors; allowed: a file that "
             "this command wrote with the same settings, or a new name",
             file));
-      auto const radiances = stored.at("radiances").get<std::vector<double>>();
-      auto const errors = stored.at("standard_errors").get<std::vector<double>>();
-      std::size_t const count = view.question.directions.size() * view.question.wavelengths.size();
-      if (radiances.size() != count || errors.size() != count)
-        throw InputError(
-            fmt::format("--reference: {}: found {} radiances and {} errors; allowed: {}", file,
-                        radiances.size(), errors.size(), count));
-      return skyOf(view, radiances, errors);
-    } catch (const nlohmann::json::exception& error) {
+      for (std::size_t i = 0; i < views.size(); ++i) {
+        auto const& sky = stored.at("skies")[i];
+        auto const radiances = sky.at("radiances").get<std::vector<double>>();
+        auto const errors = sky.at("standard_errors").get<std::vector<double>>();
+        auto const& q = views[i].question;
+        std::size_t const count = q.directions.size() * q.wavelengths.size();
+        if (radiances.size() != count || errors.size() != count)
+          throw InputError(
+              fmt::format("--reference: {}: found {} radiances and {} errors; allowed: {}", file,
+                          radiances.size(), errors.size(), count));
+        skies.push_back(skyOf(views[i], radiances, errors));
+      }
+      return skies;
+    } catch (const json::exception& error) {
       throw InputError(fmt::format("--reference: {}: {}", file, error.what()));
     }
   }
   if (!file.empty()) requireWritable(file, "--reference");
-  auto const answer = skyMethods().at("reference")(view.question, progress);
-  std::vector<double> values, errors;
-  for (auto const& e : answer.radiances) {
-    values.push_back(e.value);
-    errors.push_back(e.standardError);
+  json stored;
+  stored["what"] =
+      "L / E0 in 1/sr of each direction, wavelengths innermost, and standard errors, by "
+      "the path tracer of antumbra sky --method reference";
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    auto const answer = skyMethods().at("reference")(
+        views[i].question, [&](double share) { progress(i, std::min(share, 1.0)); });
+    std::vector<double> values, errors;
+    for (auto const& e : answer.radiances) {
+      values.push_back(e.value);
+      errors.push_back(e.standardError);
+    }
+    stored["skies"].push_back(
+        {{"of", descriptions[i]}, {"radiances", values}, {"standard_errors", errors}});
+    skies.push_back(skyOf(views[i], values, errors));
   }
-  if (!file.empty()) {
-    nlohmann::ordered_json stored;
-    stored["of"] = description;
-    stored["radiances"] = values;
-    stored["standard_errors"] = errors;
-    writeTextFile(file, stored.dump(1) + "\n");
-  }
-  return skyOf(view, values, errors);
+  if (!file.empty()) writeTextFile(file, stored.dump(1) + "\n");
+  return skies;
 }
 
 std::vector<glm::dvec3> coloursOf(const AirView& view, const std::vector<Length>& wavelengths,

@@ -13,6 +13,7 @@ namespace antumbra {
 
 // The body whose air the scene shows, without what is beyond it, and directions into that air.
 struct AirView {
+  std::string scene;  // file
   PlannedBody body;
   Projection picture;
   // The camera above a sphere of the body's equatorial radius, in the space in which the body is
@@ -34,10 +35,11 @@ struct ReferenceSky {
   double meanRelativeError() const;
 };
 
-// By the path tracer at view.question's settings. With `file`, read from there where it exists,
-// else written to it; throws InputError where it was made for something else.
-ReferenceSky referenceSky(const AirView& view, const std::string& file,
-                          const std::function<void(double)>& progress);
+// By the path tracer at each view's settings. With `file`, read from there where it exists, else
+// written to it; throws InputError where it was made for something else. `progress` hears which
+// view is traced and the share of it that is done.
+std::vector<ReferenceSky> referenceSkies(const std::vector<AirView>& views, const std::string& file,
+                                         const std::function<void(std::size_t, double)>& progress);
 
 // The colours of radiances (L / E0 by direction, wavelengths innermost).
 std::vector<glm::dvec3> coloursOf(const AirView& view, const std::vector<Length>& wavelengths,
