@@ -86,6 +86,7 @@ std::vector<AirMeasurement> AirMeter::measure(const AirQuality& quality) {
       quality);
   std::vector<AirMeasurement> all;
   double wallBefore = 0.0;
+  std::map<std::pair<int, int>, double> units;  // in the same run as what they measure
   for (std::size_t i = 0; i < views_.size(); ++i) {
     auto const& view = views_[i];
     AirMeasurement m;
@@ -104,7 +105,8 @@ std::vector<AirMeasurement> AirMeter::measure(const AirQuality& quality) {
     for (auto const& [name, count] : bodies.residentBytes())
       if (!name.starts_with("map ")) bytes += count;
     m.cost.mebibytes = static_cast<double>(bytes) / 1048576.0;
-    double const unit = fillUnitSeconds(view.picture.width, view.picture.height, clock_);
+    auto& unit = units[{view.picture.width, view.picture.height}];
+    if (unit == 0.0) unit = fillUnitSeconds(view.picture.width, view.picture.height, clock_);
     double const seconds = drawSeconds(bodies, view, repeats_, clock_);
     m.cost.milliseconds = 1e3 * seconds;
     m.cost.fillUnits = seconds / unit;
