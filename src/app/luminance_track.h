@@ -2,14 +2,27 @@
 // at instants before it, so that the eye's state is a function of scene and instant alone.
 #pragma once
 
+#include <map>
+#include <vector>
+
 #include "app/scene_session.h"
 #include "picture/picture_renderer.h"
 
 namespace antumbra {
 
-// `meter`: a renderer of its own, off line; it keeps its tables from one picture to the next. The
-// camera stands and looks as in that frame all the time before. Small pictures are 96 pixels wide
-// and of draft quality.
-EyeState eyeAtFrame(const SceneSession& session, int frame, PictureRenderer& meter);
+class LuminanceTrack {
+ public:
+  // Needs an OpenGL context. `session` must outlive it.
+  LuminanceTrack(const SceneSession& session, ImageSource images);
+  // The camera stands and looks as in that frame all the time before. Small pictures are 96 pixels
+  // wide and of draft quality; frames of one camera share them.
+  EyeState eyeAtFrame(int frame);
+
+ private:
+  const SceneSession& session_;
+  PictureRenderer meter_;
+  // By what keyframes move (place, aim and field), and by seconds since J2000.0.
+  std::map<std::vector<double>, MeterReading> readings_;
+};
 
 }  // namespace antumbra

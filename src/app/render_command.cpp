@@ -106,14 +106,14 @@ void render(const Options& options) {
     return readImage(catalogsFolder() / file, where);
   };
   PictureRenderer renderer(images);
-  std::optional<PictureRenderer> meter;
-  if (session.scene().display.eye) meter.emplace(images);
+  std::optional<LuminanceTrack> track;
+  if (session.scene().display.eye) track.emplace(session, images);
   std::signal(SIGINT, onInterrupt);
   for (int frame = first; frame <= last; ++frame) {
     auto const start = std::chrono::steady_clock::now();
     auto const moment = session.at(frame);
     std::optional<EyeState> eye;
-    if (meter) eye = eyeAtFrame(session, frame, *meter);
+    if (track) eye = track->eyeAtFrame(frame);
     FinishedPicture const picture =
         renderer.finish(moment.scene, moment.placed, moment.plan, eye ? &*eye : nullptr);
     writeAll(options.outputs, frame, picture, session.scene().display.bracketsStops,

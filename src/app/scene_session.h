@@ -34,6 +34,7 @@ class SceneSession {
   void follow(Duration offset, double rate);
 
   const Scene& scene() const { return scene_; }
+  Instant start() const { return start_; }  // of offset 0
   // One frame of the scene's animation, placed and planned.
   struct Moment {
     Scene scene;

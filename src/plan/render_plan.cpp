@@ -36,8 +36,14 @@ bool overlapsPicture(const Projection& picture, Direction<CameraAxes> direction,
 // Phase angle at the body between Sun and observer.
 Angle phaseAngle(const PlacedBody& b) { return angleBetween(b.sunFromBody, -b.fromCamera); }
 
+// The body's medium, empty for none: the scene's choice, or its own.
+const std::string& airOf(const Scene& scene, const Body& body) {
+  auto const chosen = scene.air.find(body.name);
+  return chosen == scene.air.end() ? body.atmosphere : chosen->second;
+}
+
 // Shadows that touch the receiver or its air.
-std::vector<PlannedBody::Caster> liveCasters(const PlacedBody& receiver,
+std::vector<PlannedBody::Caster> liveCasters(const Scene& scene, const PlacedBody& receiver,
                                              const ShadowConvention& convention, RenderPlan& plan) {
   std::vector<PlannedBody::Caster> casters;
   Length const reach = (1.0 + kAirReach) * receiver.body->equatorialRadius;
@@ -50,9 +56,10 @@ std::vector<PlannedBody::Caster> liveCasters(const PlacedBody& receiver,
                               neighbour.body->polarRadius / neighbour.body->equatorialRadius};
     auto const pair = shadowPair(sun, centre, radii, figure);
     if (!glsl::mayBeShaded(pair, glm::dvec3(0.0), reach.si)) continue;
-    casters.push_back({neighbour.body->name, centre, radii, figure, neighbour.body->atmosphere});
-    if (!neighbour.body->atmosphere.empty())
-      plan.tables.push_back({neighbour.body->atmosphere + ", light refracted",
+    std::string const& air = airOf(scene, *neighbour.body);
+    casters.push_back({neighbour.body->name, centre, radii, figure, air});
+    if (!air.empty())
+      plan.tables.push_back({air + ", light refracted",
                              fmt::format("the air of {} bends sunlight into its shadow on {}",
                                          neighbour.body->name, receiver.body->name)});
     plan.shadows.push_back(
@@ -151,6 +158,29 @@ void addPlanetshine(const PlacedScene& placed, const PlacedBody& receiver, Plann
   }
 }
 
+// How the Sun's surroundings look, and by whose word.
+std::string coronaReason(const Scene& scene, Instant when) {
+  SunSettings const& sun = scene.sun;
+  return fmt::format(
+      "{} at {:.2f} of the solar cycle ({}){}",
+      sun.streamers ? "invented streamers about the measured mean" : "smooth",
+      sun.activity.value_or(solarActivity(when)), sun.activity ? "the scene's" : "of the date",
+      sun.prominences == 0 ? std::string()
+                           : fmt::format(", {} invented prominences", sun.prominences));
+}
+
+Reason toneMapReason(const Scene& scene) {
+  DisplaySettings const& display = scene.display;
+  if (display.eye)
+    return {"tone map", "for an eye adapted to the half hour before, metered from small pictures"};
+  std::string why = display.automaticExposure ? "to the display, exposed by its own meter"
+                                              : fmt::format("to the display, white at {:g} cd/m2",
+                                                            display.whiteLuminance);
+  if (!display.bracketsStops.empty())
+    why += fmt::format(", and {} more exposures around that", display.bracketsStops.size());
+  return {"tone map", why};
+}
+
 }  // namespace
 
 RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
@@ -224,7 +254,7 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
     p.sun = b.bodyFromIcrs(b.sunFromBody);
     p.angularRadius = radius;
     p.diameterPixels = diameter;
-    p.atmosphere = b.body->atmosphere;
+    p.atmosphere = airOf(scene, *b.body);
     Length const reach = (p.atmosphere.empty() ? 1.0 : 1.0 + kAirReach) * b.body->equatorialRadius;
     Angle const capRadius = angularRadius(reach, distance);
     // Half a pixel more, for the antialiased limb.
@@ -247,7 +277,7 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
     p.nightLuminance = b.body->surface.nightLuminance;
     if (b.body->surface.mapMean) p.mapFactor = p.albedo / *b.body->surface.mapMean;
     p.lommelSeeliger = b.body->surface.scattering == Surface::Scattering::LommelSeeliger;
-    p.casters = liveCasters(b, convention, plan);
+    p.casters = liveCasters(scene, b, convention, plan);
     p.phaseLight = phaseLight(*b.body, phaseAngle(b));
     addPlanetshine(placed, b, p);
     if (p.shineLux > 0.0)
@@ -306,8 +336,10 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
   // The Sun comes after what is farther than any air, and before the air that dims it.
   bool sunPassed = false;
   auto const passSun = [&] {
-    if (plan.drawSun && !sunPassed)
+    if (plan.drawSun && !sunPassed) {
       passes.push_back({"sun", "disc and corona; nothing covers all of it"});
+      passes.push_back({"corona", coronaReason(scene, placed.when)});
+    }
     sunPassed = true;
   };
   if (!plan.drawSun)
@@ -337,7 +369,7 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
   if (plan.queryOcclusion) passes.push_back({"glare", "the uncovered part of the Sun dazzles"});
   if (plan.glareFromOutside)
     passes.push_back({"glare", "the Sun beside the picture dazzles; its visible part by outlines"});
-  passes.push_back({"tone map", "to the display"});
+  passes.push_back(toneMapReason(scene));
   plan.overlays = planOverlays(scene, placed, plan.bodies);
   passes.insert(passes.end(), plan.overlays.passes.begin(), plan.overlays.passes.end());
   plan.leftOut.insert(plan.leftOut.end(), plan.overlays.leftOut.begin(),

@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
+
+#include "document/paths.h"
+#include "scene/body_catalogue.h"
 
 namespace antumbra {
 namespace {
@@ -122,6 +126,22 @@ Keyframe readKeyframe(const Table& table, const CameraPlacement& camera, Project
   return k;
 }
 
+// Media in place of the bodies' own.
+std::map<std::string, std::string> readAir(const Table& table) {
+  std::set<std::string> media{"none"};
+  for (auto const& entry : std::filesystem::directory_iterator(catalogsFolder() / "atmospheres"))
+    if (entry.path().extension() == ".toml") media.insert(entry.path().stem().string());
+  std::map<std::string, std::string> air;
+  for (auto const& key : table.keys()) {
+    Body const& body = BodyCatalogue::standard().body(key, table.where(key));
+    if (body.kind == "star") table.fail(key, "a star has no such air; allowed: planets and moons");
+    std::string const medium = table.oneOf(key, {media.begin(), media.end()});
+    if (!air.emplace(body.name, medium == "none" ? "" : medium).second)
+      table.fail(key, fmt::format("{} is named twice", body.name));
+  }
+  return air;
+}
+
 // Monotone cubic (Fritsch & Carlson 1980) through the keyframes that give a value: smooth, and
 // never beyond the values it passes through.
 std::optional<double> interpolate(const std::vector<std::pair<int, double>>& points, int frame) {
@@ -204,6 +224,7 @@ Scene readScene(const Table& table) {
             : "hestroffer";
   }
   if (auto const overlays = table.tableIfPresent("overlays")) s.overlays = readOverlays(*overlays);
+  if (auto const air = table.tableIfPresent("air")) s.air = readAir(*air);
   if (auto const sun = table.tableIfPresent("sun")) s.sun = readSunSettings(*sun);
   if (auto const animation = table.tableIfPresent("animation")) {
     s.frames = static_cast<int>(animation->integer("frames"));

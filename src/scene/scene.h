@@ -30,6 +30,9 @@
 //   brackets = [-2, 0, 2]                    # camera: a PNG for each, stops, brighter if positive
 //   [sun]                                    # corona, prominences: scene/sun_settings.h
 //   activity = 0.5
+//   [air]
+//   Earth = "earth_volcanic"                 # a medium of catalogs/atmospheres, or "none", in
+//                                            #   place of its own: seen, and bending light
 //   [shadows]
 //   convention = "iau"                       # or "nasa": radii of Sun and Moon
 //   limb_darkening = "hestroffer"            # "neckel", "none"
@@ -44,6 +47,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -109,6 +113,7 @@ struct Scene {
   ShadowSettings shadows;
   OverlaySettings overlays;
   SunSettings sun;
+  std::map<std::string, std::string> air;  // by body's name: medium, empty for none
   std::string quality = "balanced";
   int frames = 1;
   std::vector<Keyframe> keyframes;

@@ -1,7 +1,6 @@
 #include "tonemap/eye_adaptation.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -56,8 +55,7 @@ double wantedWhite(const EyeState& eye, const MeterReading& reading,
                   exposureFor(least, settings).whiteLuminance);
 }
 
-constexpr std::array<double, 15> kTrack{1800, 900, 480, 270, 150, 90,  55, 35,
-                                        22,   13,  8,   4.5, 2,   0.8, 0};
+constexpr double kTrackSeconds = 1800.0;
 
 }  // namespace
 
@@ -112,6 +110,15 @@ EyeState eyeAfter(std::span<const TrackedReading> track, const AutomaticExposure
   return eye;
 }
 
-std::span<const double> trackSecondsBefore() { return kTrack; }
+std::vector<double> meteredSeconds(double now) {
+  std::vector<double> times{now};
+  double step = 1.0;
+  for (double t = std::ceil(now) - 1.0; now - t <= kTrackSeconds; t -= step) {
+    if (now - t >= 2.0 * step && std::fmod(t, 2.0 * step) == 0.0) step *= 2.0;
+    times.push_back(t);
+  }
+  std::reverse(times.begin(), times.end());
+  return times;
+}
 
 }  // namespace antumbra

@@ -137,6 +137,39 @@ TEST(RenderPlan, TheMoonIsLitByTheFullEarthInTotality) {
   EXPECT_THAT(explain(plan), HasSubstr("also lit by Earth"));
 }
 
+TEST(RenderPlan, SceneChoosesTheAirThatIsSeenAndThatCasts) {
+  Scene scene = shipped("lunar_eclipse");
+  scene.air["Earth"] = "earth_volcanic";
+  RenderPlan plan = planOf(scene, "2028-12-31T16:52:00Z");
+  EXPECT_THAT(explain(plan), HasSubstr("earth_volcanic, light refracted"));
+  for (auto const& body : plan.bodies) {
+    if (body.name == "Earth") {
+      EXPECT_EQ(body.atmosphere, "earth_volcanic");
+    }
+    if (body.name == "Moon") {
+      EXPECT_EQ(body.casters.at(0).atmosphere, "earth_volcanic");
+    }
+  }
+  scene.air["Earth"] = "";
+  plan = planOf(scene, "2028-12-31T16:52:00Z");
+  EXPECT_TRUE(plan.tables.empty());
+}
+
+TEST(RenderPlan, SaysHowTheCoronaAndTheDisplayCameAbout) {
+  Scene scene = shipped("luxor_corona");
+  std::string const corona = explain(planOf(scene, "2027-08-02T10:05:06Z"));
+  EXPECT_THAT(corona, HasSubstr("invented streamers"));
+  EXPECT_THAT(corona, HasSubstr("of the date"));
+  EXPECT_THAT(corona, HasSubstr("7 invented prominences"));
+  EXPECT_THAT(corona, HasSubstr("1 more exposures"));
+  scene.display.bracketsStops.clear();
+  scene.display.eye = true;
+  scene.sun.activity = 0.25;
+  std::string const eye = explain(planOf(scene, "2027-08-02T10:05:06Z"));
+  EXPECT_THAT(eye, HasSubstr("an eye adapted"));
+  EXPECT_THAT(eye, HasSubstr("0.25 of the solar cycle (the scene's)"));
+}
+
 TEST(RenderPlan, TheSunBesideThePictureDazzlesUnlessItIsBehindTheCamera) {
   Scene scene = onTheMoon();
   scene.bodies = {};

@@ -92,6 +92,21 @@ TEST(Scene, ReadsAndRefusesTheObserverAndTheSun) {
   EXPECT_THAT(refusal(base + "[sun]\nspots = 3\n"), HasSubstr("unknown key"));
 }
 
+TEST(Scene, ReadsAndRefusesTheAirOfBodies) {
+  using testing::AllOf;
+  using testing::HasSubstr;
+  std::string const base = kHead + kCamera + kPicture;
+  Scene const s = parse(base + "[air]\nEarth = \"earth_volcanic\"\nmars = \"none\"\n");
+  EXPECT_EQ(s.air.at("Earth"), "earth_volcanic");
+  EXPECT_EQ(s.air.at("Mars"), "");
+  EXPECT_THAT(refusal(base + "[air]\nEarth = \"soup\"\n"),
+              AllOf(HasSubstr("s.toml:15"), HasSubstr("soup"), HasSubstr("earth_molecular")));
+  EXPECT_THAT(refusal(base + "[air]\nErath = \"earth\"\n"),
+              AllOf(HasSubstr("s.toml:15"), HasSubstr("Erath"), HasSubstr("Earth")));
+  EXPECT_THAT(refusal(base + "[air]\nSun = \"earth\"\n"), HasSubstr("star"));
+  EXPECT_THAT(refusal(base + "[air]\nEarth = \"earth\"\nearth = \"mars\"\n"), HasSubstr("twice"));
+}
+
 // Minima and maxima of the smoothed sunspot number (SILSO): December 2008, April 2014.
 TEST(SolarActivity, FollowsTheSunspotCycle) {
   auto const at = [](const char* time) { return solarActivity(parseInstant(time, "test")); };

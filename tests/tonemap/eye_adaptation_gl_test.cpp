@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "photometry/colour.h"
 #include "photometry/standard_spectra.h"
@@ -92,6 +94,60 @@ TEST(EyeAdaptation, TracksOfAnySpacingAgree) {
   EyeState const coarse = stateOf(5.0), fine = stateOf(0.5);
   EXPECT_NEAR(coarse.conePigment, fine.conePigment, 0.01);
   EXPECT_NEAR(std::log(coarse.whiteLuminance / fine.whiteLuminance), 0.0, 0.03);
+}
+
+// Light of the dome into totality: a thin crescent's grows as the 1.5th power of its width, on top
+// of 3 cd/m2.
+double lightAt(double secondsToContact) {
+  return 3.0 + 8000.0 * std::pow(std::clamp(secondsToContact / 4000.0, 0.0, 1.0), 1.5);
+}
+
+EyeState trackedEye(const std::vector<double>& times, double contact) {
+  std::vector<TrackedReading> track;
+  for (double t : times)
+    track.push_back({Duration(times.back() - t), uniform(lightAt(contact - t))});
+  return eyeAfter(track);
+}
+
+// What an off-line picture meters is enough, and changes smoothly from one picture to the next: at
+// ten a second the white moves as with a reading every 0.05 s.
+TEST(EyeAdaptation, MeteredInstantsAreEnoughAndDoNotPop) {
+  double const contact = 86400.0 * 365.0 + 0.37;
+  double worst = 0.0, largest = 0.0, before = 0.0, steepest = 0.0, steepBefore = 0.0;
+  for (double now = contact - 60.0; now < contact + 40.0; now += 0.1) {
+    std::vector<double> dense;
+    for (int i = 36000; i >= 0; --i) dense.push_back(now - 0.05 * i);
+    double const white = trackedEye(meteredSeconds(now), contact).whiteLuminance;
+    // The dense track is lived through once.
+    static EyeState eye = trackedEye(dense, contact);
+    static double last = now;
+    for (double t = last; t < now - 1e-9; t += 0.05)
+      eye = adaptedEye(eye, uniform(lightAt(contact - t)), uniform(lightAt(contact - t - 0.05)),
+                       Duration(0.05));
+    last = now;
+    worst = std::max(worst, std::fabs(std::log(white / eye.whiteLuminance)));
+    if (before > 0.0) {
+      largest = std::max(largest, std::fabs(std::log(white / before)));
+      steepest = std::max(steepest, std::fabs(std::log(eye.whiteLuminance / steepBefore)));
+    }
+    before = white;
+    steepBefore = eye.whiteLuminance;
+  }
+  RecordProperty("worst_percent", std::to_string(100.0 * worst));
+  EXPECT_LT(worst, 0.005);
+  EXPECT_LT(largest, steepest + 0.01) << steepest;
+}
+
+TEST(EyeAdaptation, PicturesNearInTimeShareTheirMeteredInstants) {
+  auto const a = meteredSeconds(1000.3), b = meteredSeconds(1001.3);
+  EXPECT_DOUBLE_EQ(a.back(), 1000.3);
+  EXPECT_LE(a.front(), 1000.3 - 1200.0);
+  EXPECT_GE(a.front(), 1000.3 - 1800.0);
+  EXPECT_TRUE(std::is_sorted(a.begin(), a.end()));
+  EXPECT_LE(a.size(), 26u);
+  int fresh = 0;
+  for (double t : b) fresh += std::find(a.begin(), a.end(), t) == a.end();
+  EXPECT_LE(fresh, 6);
 }
 
 TEST(NightVision, RodsSeeSunlightAsTheSpectraSay) {
