@@ -3,9 +3,9 @@
 //
 // Cones of spheres are exact. A spheroid is a sphere in the space stretched along its pole, where the
 // Sun is an ellipse: of it counts the reach toward the axis, and the limb's curvature is scaled to
-// match. Measured (tests/eclipse/oblate_caster_test.cpp): within 2e-4 of the whole Sun and edges
-// within 10 m for shadows of planets on moons and rings; within 0.013 of the Sun where the spheroid
-// looks as large as it.
+// match. Measured (tests/eclipse/oblate_caster_test.cpp): within 3e-4 of the whole Sun for shadows of
+// planets on moons and rings, edges within 10 m (the Earth's on the Moon 0.5 km with a limb-darkened
+// Sun); within 0.013 of the Sun where the spheroid looks as large as it.
 //
 // The discs in the sky are circles in a plane, the occulter's with the curvature of its true outline
 // where it crosses the Sun; relative error of the visible light: the square of the Sun's angular
