@@ -200,8 +200,8 @@ void addTradeShadows(CLI::App& trade) {
       "the ray scatters once in the shadow), largest unless mean; edges where half and a "
       "hundredth\n"
       "of the light is left.\n"
-      "Example:\n  antumbra trade shadows configs/scenes/lunar_eclipse.toml --format json -o "
-      "s.json\n"
+      "Example:\n  antumbra trade shadows configs/scenes/lunar_eclipse.toml \\\n"
+      "      --time 2028-12-31T15:50Z --format json -o s.json\n"
       "  tools/plot s.json -o s.svg --x time_ns --y error_percent --label several --group caster");
   command->callback([o] { run(*o); });
 }

@@ -180,6 +180,7 @@ std::vector<glm::dvec2> edgesFromZero(int size, const std::function<double(int, 
 class Distances {
  public:
   void add(double pixels) {
+    ASSERT_TRUE(std::isfinite(pixels));
     largest_ = std::max(largest_, pixels);
     sum_ += pixels * pixels;
     ++count_;
