@@ -3,6 +3,13 @@
 //   AIR_CONSTITUENTS  constituents, smooth phase functions first
 //   AIR_SMOOTH        how many of them scatter smoothly (molecules) or not at all
 //   AIR_DARK          how many of those, the first, do not scatter at all
+//   AIR_DEGREE        of the harmonics in which scattered light is held
+//   AIR_HAZY          the medium has forward peaks apart
+//   AIR_PHASE_LEVELS  of the phase functions' blur by forward peaks on the way
+//
+// With AIR_HAZY forward peaks (src/medium/forward_peak.h) count as no scattering: depths, the source and what it
+// scatters are those of the rest, and sunlight scattered once keeps its peak, blurred. True depths,
+// for light that must not be turned at all, lie behind the others.
 // Mirrors `AirBlock` in src/passes/air_tables.cpp.
 #ifndef INTERFACE_AIR_GLSL
 #define INTERFACE_AIR_GLSL
@@ -10,6 +17,13 @@
 
 #define AIR_PEAKED (AIR_CONSTITUENTS - AIR_SMOOTH)
 #define AIR_DENSITY_ROWS ((AIR_CONSTITUENTS + 3) / 4)
+#ifndef AIR_DEGREE
+#define AIR_DEGREE 2
+#endif
+#ifndef AIR_PHASE_LEVELS  // a body without air
+#define AIR_PHASE_LEVELS 1
+#endif
+#define AIR_HARMONICS ((AIR_DEGREE + 1) * (AIR_DEGREE + 2) / 2)
 
 layout(std140, binding = 1) uniform Air {
   vec4 airShape;  // ground radius m, top m, lowest Sun cosine of the source table, Sun's radius rad
@@ -18,8 +32,8 @@ layout(std140, binding = 1) uniform Air {
   vec4 airGroundAlbedo[AIR_LAYERS];
   vec4 airScattering[AIR_LAYERS * AIR_CONSTITUENTS];  // 1/m at density 1
   vec4 airExtinction[AIR_LAYERS * AIR_CONSTITUENTS];
-  vec4 airPhaseMoment1[AIR_LAYERS * AIR_CONSTITUENTS];  // Legendre moments
-  vec4 airPhaseMoment2[AIR_LAYERS * AIR_CONSTITUENTS];
+  // Legendre moments of the rest, by degree, layer and constituent.
+  vec4 airPhaseMoments[(AIR_DEGREE + 1) * AIR_LAYERS * AIR_CONSTITUENTS];
   vec4 airRedWeights[AIR_LAYERS];  // cd/m2 of linear sRGB per L/E0
   vec4 airGreenWeights[AIR_LAYERS];
   vec4 airBlueWeights[AIR_LAYERS];
@@ -33,10 +47,14 @@ layout(std140, binding = 3) uniform Quadrature {
   vec4 nodes[64];   // position, weight
 };
 
-layout(binding = 2) uniform sampler2D airDensities;  // over sqrt(height/top); four a row
-layout(binding = 3) uniform sampler2DArray airDepths;
-layout(binding = 4) uniform sampler2DArray airSource;  // seven a layer: six moments, irradiance
-layout(binding = 5) uniform sampler2D airPhases;       // over sqrt((1 - cosine)/2), a row each
+layout(binding = 2) uniform sampler2D airDensities;  // over sqrt(height/top), four a row; in
+                                                     // the last row x: level of the source there,
+                                                     // y: sqrt(height/top) of a level, z: its
+                                                     // slope over the level
+layout(binding = 3) uniform sampler2DArray airDepths;  // of the rest by layer, then true ones
+layout(binding = 4) uniform sampler2DArray airSource;  // a layer: harmonics, irradiance
+// Over ((1 - cosine)/2)^(1/4); by layer and constituent, rows over the blur, then that by moments.
+layout(binding = 5) uniform sampler2D airPhases;
 
 AirShell airShell() {
   AirShell shell;
@@ -64,7 +82,7 @@ struct AirDensities {
 AirDensities densitiesAt(float root) {
   AirDensities d;
   for (int row = 0; row < AIR_DENSITY_ROWS; ++row) {
-    float y = (float(row) + 0.5) / float(AIR_DENSITY_ROWS);
+    float y = (float(row) + 0.5) / float(AIR_DENSITY_ROWS + 1);
     vec4 four = textureLod(airDensities, vec2(root, y), 0.0);
     d.of[row * 4] = four.x;
     d.of[row * 4 + 1] = four.y;
@@ -75,12 +93,20 @@ AirDensities densitiesAt(float root) {
 }
 vec2 densityTexels() { return texelsOf(textureSize(airDensities, 0)).xz; }
 
-// Phase function of a constituent, 1/sr.
-vec4 phaseOf(int constituent, int layer, float cosine) {
+// Phase function of a constituent, 1/sr. `blur`: blurPlace() of the way.
+vec4 phaseOf(int constituent, int layer, float cosine, float blur) {
   ivec2 size = textureSize(airPhases, 0);
-  float x = sqrt(clamp(0.5 - 0.5 * cosine, 0.0, 1.0));
-  float y = (float(layer * AIR_CONSTITUENTS + constituent) + 0.5) / float(size.y);
-  return textureLod(airPhases, vec2((x * float(size.x - 1) + 0.5) / float(size.x), y), 0.0);
+  float x = sqrt(sqrt(clamp(0.5 - 0.5 * cosine, 0.0, 1.0)));
+#ifdef AIR_HAZY
+  float row = float((layer * AIR_CONSTITUENTS + constituent) * (AIR_PHASE_LEVELS + 1)) + blur;
+#else
+  float row = float(layer * AIR_CONSTITUENTS + constituent);
+#endif
+  return textureLod(airPhases, vec2((x * float(size.x - 1) + 0.5) / float(size.x), (row + 0.5) / float(size.y)), 0.0);
+}
+// The one that the source is made with.
+vec4 phaseByMoments(int constituent, int layer, float cosine) {
+  return phaseOf(constituent, layer, cosine, float(AIR_PHASE_LEVELS));
 }
 
 vec4 depthTexels() { return texelsOf(textureSize(airDepths, 0).xy); }
@@ -88,15 +114,100 @@ vec2 depthPlace(float height, float cosine) {
   return onTexels(depthCoordinates(airShell(), height, cosine), depthTexels());
 }
 vec4 depthAt(vec2 place, int layer) { return textureLod(airDepths, vec3(place, float(layer)), 0.0); }
-
+// Of a constituent without its forward peak, 1/m at density 1.
+vec4 restExtinction(int i) { return airExtinction[i] - airScattering[i] * (1.0 - airPhaseMoments[i]); }
+// The layer of the true depths.
+int trueLayer(int layer) {
+#ifdef AIR_HAZY
+  return layer + AIR_LAYERS;
+#else
+  return layer;
+#endif
+}
+// The last row of the densities' table.
+vec3 levelRow(float x) {
+  float count = float(textureSize(airDensities, 0).x);
+  float y = (float(AIR_DENSITY_ROWS) + 0.5) / float(AIR_DENSITY_ROWS + 1);
+  return textureLod(airDensities, vec2((x * (count - 1.0) + 0.5) / count, y), 0.0).xyz;
+}
+// What a cell of the source stands for. Levels lie dense where the air is.
+HeightAndCosine sourceCell(ivec2 texel, ivec2 size) {
+  vec2 place = vec2(texel) / vec2(size - 1);
+  HeightAndCosine at;
+  at.cosine = sourceSunCosine(sunSpan(airShape.z), place.x);
+#ifdef AIR_HAZY
+  float root = levelRow(place.y).y;
+#else
+  float root = place.y;
+#endif
+  // The topmost cells lie a little inside, for their rays to have air to cross.
+  at.height = airShape.y * min(root * root, 0.9999);
+  return at;
+}
+// Where samples lie on a leg: in haze by level, otherwise as the cube of u toward the low end. Either
+// way the path's length near a tangent point is even in u.
+struct LegSpan {
+  float level;
+  float levels;  // from the low end to the high
+  float root;
+};
+struct LegNode {
+  float height;
+  float step;  // of height over u
+};
+LegSpan legSpan(AirLeg leg) {
+  LegSpan span;
+  span.level = 0.0;
+  span.levels = 0.0;
+  span.root = 0.0;
+#ifdef AIR_HAZY
+  span.level = levelRow(rootHeight(airShell(), leg.lowHeight)).x;
+  span.levels = max(levelRow(rootHeight(airShell(), leg.highHeight)).x - span.level, 1e-6);
+  span.root = levelRow(span.level).y;
+#endif
+  return span;
+}
+LegNode nodeOnLeg(AirLeg leg, LegSpan span, float u) {
+  LegNode node;
+  float whole = leg.highHeight - leg.lowHeight;
+#ifdef AIR_HAZY
+  vec3 row = levelRow(span.level + span.levels * u * u);
+  node.height = leg.lowHeight + clamp(airShape.y * (row.y - span.root) * (row.y + span.root), 1e-6 * u * u * whole, whole);
+  node.step = airShape.y * 2.0 * row.y * row.z * span.levels * 2.0 * u;
+#else
+  node.height = leg.lowHeight + whole * u * u * u;
+  node.step = whole * 3.0 * u * u;
+#endif
+  return node;
+}
+// u of a height on the leg.
+float nodeOfHeight(AirLeg leg, LegSpan span, float height) {
+#ifdef AIR_HAZY
+  float level = levelRow(rootHeight(airShell(), height)).x;
+  return sqrt(clamp((level - span.level) / span.levels, 0.0, 1.0));
+#else
+  return clamp(pow((height - leg.lowHeight) / max(leg.highHeight - leg.lowHeight, 1e-6), 1.0 / 3.0), 0.0, 1.0);
+#endif
+}
+// Slices of the source table.
+int harmonicSlice(int layer, int harmonic) { return layer * (AIR_HARMONICS + 1) + harmonic; }
+int irradianceSlice(int layer) { return harmonicSlice(layer, AIR_HARMONICS); }
 // A slice of the source table, 1/sr.
 vec4 sourceAt(vec2 place, int slice) {
   return airReach.w * textureLod(airSource, vec3(place, float(slice)), 0.0);
 }
-// Where the source table holds a height and a Sun.
+
+// Where the source table holds a height (by its root, rootHeight) and a Sun.
+float sourceLevel(float root) {
+#ifdef AIR_HAZY
+  return levelRow(root).x;
+#else
+  return root;
+#endif
+}
 vec4 sourceTexels() { return texelsOf(textureSize(airSource, 0).xy); }
 vec2 sourcePlaceOf(float height, float sunCosine) {
-  vec2 place = vec2(sourceColumn(sunSpan(airShape.z), sunCosine), rootHeight(airShell(), height));
+  vec2 place = vec2(sourceColumn(sunSpan(airShape.z), sunCosine), sourceLevel(rootHeight(airShell(), height)));
   return onTexels(place, sourceTexels());
 }
 

@@ -3,8 +3,8 @@
 // before, from the source table. Compiled with AIR_SINGLE, AIR_SOURCE or AIR_VOLUME; with AIR_SEPARATE the
 // peaked constituents' single scattering is kept apart without its phase function.
 //
-// Samples are Gauss-Legendre nodes in u with height = low + (high - low) u^3 along each leg: dense
-// where air is dense and where a ray is tangent.
+// Samples are Gauss-Legendre nodes in u (air.glsl, nodeOnLeg) along each leg: dense where air is dense
+// and where a ray is tangent.
 //   BODY_SUNLIT, BODY_DUSK, BODY_NIGHT  every ray meets the ground; with the Sun above 7 degrees
 //   BODY_SKY                            none does
 #ifndef INTERFACE_AIR_MARCH_GLSL
@@ -27,6 +27,16 @@
 // held on up to kSparseReach times the root of that height.
 const float kSparseHeight = 0.15;
 const float kSparseReach = 2.0;
+const int kSparseDegree = 2;
+
+// In haze the peaked constituents' phase functions vary by what lies on the way: applied at its end.
+#if defined(AIR_HAZY) && defined(AIR_SINGLE) && !defined(AIR_BY_MOMENTS)
+#define AIR_BLURRED
+#ifndef AIR_SEPARATE
+#define AIR_SEPARATE
+#define AIR_JOINED
+#endif
+#endif
 
 struct AirRay {
   float height;      // of its start, inside the air
@@ -41,7 +51,14 @@ struct AirRay {
 struct AirLight {
   vec4 joint[AIR_LAYERS];
 #ifdef AIR_SEPARATE
-  vec4 peaked[AIR_LAYERS * AIR_PEAKED + 1];
+  vec4 peaked[AIR_LAYERS * AIR_PEAKED + 1];  // sunlight scattered once, without the phase functions
+#endif
+#ifdef AIR_BLURRED
+  float forward;  // depth of the forward peaks on the Sun's way and the camera's: mean over `peaked`,
+  float forwardWeight;  // whose sum over four wavelengths this is
+#endif
+#ifdef AIR_NORMALISED
+  vec4 taken[AIR_LAYERS];  // share of light from behind that the samples take away
 #endif
 };
 
@@ -57,6 +74,13 @@ AirLight darkAir() {
   for (int layer = 0; layer < AIR_LAYERS; ++layer) light.joint[layer] = vec4(0.0);
 #ifdef AIR_SEPARATE
   for (int i = 0; i <= AIR_LAYERS * AIR_PEAKED; ++i) light.peaked[i] = vec4(0.0);
+#endif
+#ifdef AIR_BLURRED
+  light.forward = 0.0;
+  light.forwardWeight = 0.0;
+#endif
+#ifdef AIR_NORMALISED
+  for (int layer = 0; layer < AIR_LAYERS; ++layer) light.taken[layer] = vec4(0.0);
 #endif
   return light;
 }
@@ -148,56 +172,64 @@ vec4 volumeLight(VolumePlace place, int layer);
 #endif
 
 #ifdef AIR_SOURCE
-// Radiance that has been scattered (or reflected by the ground) before, as the parts of it that meet
-// the moments 0, 1 and 2 of a phase function in one direction, 1/sr.
+// Radiance that has been scattered (or reflected by the ground) before, as its parts of each degree
+// in one direction, 1/sr.
 struct SourceParts {
-  vec4 even;
-  vec4 first;
-  vec4 second;
+  vec4 of[AIR_DEGREE + 1];
 };
 
-// `at`: its place in the source table.
+// `at`: its place in the source table; up to `degree`.
 SourceParts sourcePartsAt(vec2 at, AirPoint p, float sense, float sunAlong, vec3 where,
-                          vec3 direction, int layer) {
+                          vec3 direction, int degree, int layer) {
   SunFrame f = sunFrame(sense * p.cosine, p.sunCosine, sunAlong);
-  int first = layer * 7;
   SourceParts parts;
-  parts.even = sourceAt(at, first);
-  parts.first = f.z * sourceAt(at, first + 1) +
-                f.x * sourceAt(at, first + 2);
-  parts.second =
-      (1.5 * f.z * f.z - 0.5) * sourceAt(at, first + 3) +
-      f.x * f.z * sourceAt(at, first + 4) +
-      (2.0 * f.x * f.x + f.z * f.z - 1.0) * sourceAt(at, first + 5);
+  parts.of[0] = sourceAt(at, harmonicSlice(layer, 0));
+  parts.of[1] = f.z * sourceAt(at, harmonicSlice(layer, 1)) +
+                f.x * sourceAt(at, harmonicSlice(layer, 2));
+  parts.of[2] = (1.5 * f.z * f.z - 0.5) * sourceAt(at, harmonicSlice(layer, 3)) +
+                3.0 * f.x * f.z * sourceAt(at, harmonicSlice(layer, 4)) +
+                (2.0 * f.x * f.x + f.z * f.z - 1.0) * sourceAt(at, harmonicSlice(layer, 5));
+#if AIR_DEGREE > 2
+  for (int l = 3; l <= AIR_DEGREE; ++l) parts.of[l] = vec4(0.0);
+  SunHarmonic h = firstHarmonic();
+  for (int m = 0; m <= degree; ++m) {
+    for (int l = m; l <= degree; ++l) {
+      if (l > 2) parts.of[l] += h.value * sourceAt(at, harmonicSlice(layer, l * (l + 1) / 2 + m));
+      h = higherDegree(h, f, l, m);
+    }
+    h = higherOrder(h, f, m);
+  }
+#endif
 #ifdef AIR_ECLIPSED_SOURCE
 #ifdef ECLIPSED_HARMONICS
   vec4 power = vec4(0.0);
-  vec4 even = max(parts.even, vec4(1e-30));
-  vec4 one = parts.first / even, two = parts.second / even;
+  vec4 even = max(parts.of[0], vec4(1e-30));
+  vec4 one = parts.of[1] / even, two = parts.of[2] / even;
   for (int caster = 0; caster < ECLIPSED_SOURCE; ++caster) {
     EclipsedPlace place = eclipsedPlace(caster, where, p.height);
     EclipsedHarmonics held = eclipsedHarmonics(caster, place, where, direction, layer);
     power += place.inside * eclipsedQuantity(caster, place, 0, layer);
-    one += place.inside * (held.first - parts.first / even);
-    two += place.inside * (held.second - parts.second / even);
+    one += place.inside * (held.first - parts.of[1] / even);
+    two += place.inside * (held.second - parts.of[2] / even);
   }
-  parts.even *= exp2(power);
-  parts.first = parts.even * one;
-  parts.second = parts.even * two;
+  // The grid has no higher degrees: they go with the mean.
+  for (int l = 0; l <= AIR_DEGREE; ++l) parts.of[l] *= exp2(power);
+  parts.of[1] = parts.of[0] * one;
+  parts.of[2] = parts.of[0] * two;
 #else
   vec4 share = eclipsedShare(where, p.height, 0, layer);
-  parts.even *= share;
-  parts.first *= share;
-  parts.second *= share;
+  for (int l = 0; l <= AIR_DEGREE; ++l) parts.of[l] *= share;
 #endif
 #endif
   return parts;
 }
 
 // Averaged with the phase function of a constituent and times its scattering coefficient: 1/(m sr).
-vec4 sourceOf(SourceParts parts, int i) {
-  return airScattering[i] *
-         (parts.even + airPhaseMoment1[i] * parts.first + airPhaseMoment2[i] * parts.second);
+vec4 sourceOf(SourceParts parts, int degree, int i) {
+  vec4 averaged = vec4(0.0);
+  for (int l = 0; l <= degree; ++l)
+    averaged += airPhaseMoments[l * AIR_LAYERS * AIR_CONSTITUENTS + i] * parts.of[l];
+  return airScattering[i] * averaged;
 }
 #endif
 
@@ -209,9 +241,9 @@ vec3 placeOnLeg(AirRay ray, AirLeg leg, float fromLow) {
 // before - sense times the point's depth to the top along the leg. Where `sparse`, the source is
 // looked up at two heights only and is linear in the root of height between them.
 void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, bool sparse, vec4 before[AIR_LAYERS],
-              vec4 phases[AIR_LAYERS * AIR_CONSTITUENTS], inout AirLight light) {
+              vec4 beforeTrue, vec4 phases[AIR_LAYERS * AIR_CONSTITUENTS], inout AirLight light) {
   AirShell shell = airShell();
-  float span = leg.highHeight - leg.lowHeight;
+  LegSpan span = legSpan(leg);
   float topRise = sqrt(leg.lowRise * leg.lowRise + squareBetween(shell, leg.lowHeight, shell.top));
   vec4 depths = depthTexels();
   vec2 densities = densityTexels();
@@ -224,17 +256,17 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, bool sparse, vec4 befo
     AirPoint a = pointOnLeg(shell, leg, ray.sunAlong, leg.lowHeight);
     AirPoint b = pointOnLeg(shell, leg, ray.sunAlong, min(kSparseHeight * shell.top, leg.highHeight));
     overHigh = 1.0 / max(rootHeight(shell, b.height), 1e-6);
-    vec2 placeA = onTexels(vec2(sourceColumn(suns, a.sunCosine), rootHeight(shell, a.height)), sources);
-    vec2 placeB = onTexels(vec2(sourceColumn(suns, b.sunCosine), rootHeight(shell, b.height)), sources);
+    vec2 placeA = onTexels(vec2(sourceColumn(suns, a.sunCosine), sourceLevel(rootHeight(shell, a.height))), sources);
+    vec2 placeB = onTexels(vec2(sourceColumn(suns, b.sunCosine), sourceLevel(rootHeight(shell, b.height))), sources);
     for (int layer = 0; layer < AIR_LAYERS; ++layer) {
       SourceParts lower = sourcePartsAt(placeA, a, leg.sense, ray.sunAlong, placeOnLeg(ray, leg, 0.0),
-                                        ray.direction, layer);
+                                        ray.direction, kSparseDegree, layer);
       SourceParts upper = sourcePartsAt(placeB, b, leg.sense, ray.sunAlong,
-                                        placeOnLeg(ray, leg, b.fromLow), ray.direction, layer);
+                                        placeOnLeg(ray, leg, b.fromLow), ray.direction, kSparseDegree, layer);
       for (int c = AIR_DARK; c < AIR_CONSTITUENTS; ++c) {
         int i = layer * AIR_CONSTITUENTS + c;
-        low[i] = sourceOf(lower, i);
-        rise[i] = sourceOf(upper, i) - low[i];
+        low[i] = sourceOf(lower, kSparseDegree, i);
+        rise[i] = sourceOf(upper, kSparseDegree, i) - low[i];
       }
     }
   }
@@ -243,8 +275,9 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, bool sparse, vec4 befo
   int n = 0;
   do {
     float u = mix(u0, u1, nodes[n].x);
-    AirPoint p = pointOnLeg(shell, leg, ray.sunAlong, leg.lowHeight + span * u * u * u);
-    float distance = (u1 - u0) * nodes[n].y * 3.0 * u * u * span / max(p.cosine, 1e-9);
+    LegNode node = nodeOnLeg(leg, span, u);
+    AirPoint p = pointOnLeg(shell, leg, ray.sunAlong, node.height);
+    float distance = (u1 - u0) * nodes[n].y * node.step / max(p.cosine, 1e-9);
     float root = rootHeight(shell, p.height);
     AirDensities d = densitiesAt(root * densities.x + densities.y);
     DepthRow row = depthRow(shell, p.height);
@@ -259,16 +292,25 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, bool sparse, vec4 befo
 #endif
 #endif
 #ifdef AIR_SOURCE
-    vec2 sourcePlace = onTexels(vec2(sourceColumn(suns, p.sunCosine), root), sources);
+    vec2 sourcePlace = onTexels(vec2(sourceColumn(suns, p.sunCosine), sourceLevel(root)), sources);
     float share = min(root * overHigh, kSparseReach);
 #endif
     vec3 where = placeOnLeg(ray, leg, p.fromLow);
 #ifdef AIR_VOLUME
     VolumePlace inVolume = volumePlace(where, p.height);
 #endif
+#ifdef AIR_BLURRED
+    float peakedHere = 0.0;
+#endif
     for (int layer = 0; layer < AIR_LAYERS; ++layer) {
       vec4 depth = max(before[layer] - leg.sense * depthAt(viewPlace, layer), vec4(0.0));
       vec4 weight = distance * exp(-depth);
+#ifdef AIR_NORMALISED
+      vec4 takes = vec4(0.0);
+      for (int c = 0; c < AIR_CONSTITUENTS; ++c)
+        takes += restExtinction(layer * AIR_CONSTITUENTS + c) * d.of[c];
+      light.taken[layer] += weight * takes;
+#endif
 #ifdef AIR_SINGLE
       vec4 sun = weight * above * exp(-depthAt(sunPlace, layer));
 #ifdef AIR_ECLIPSED
@@ -279,7 +321,7 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, bool sparse, vec4 befo
 #ifdef AIR_SOURCE
       SourceParts parts;
       if (!sparse)
-        parts = sourcePartsAt(sourcePlace, p, leg.sense, ray.sunAlong, where, ray.direction, layer);
+        parts = sourcePartsAt(sourcePlace, p, leg.sense, ray.sunAlong, where, ray.direction, AIR_DEGREE, layer);
       vec4 more = vec4(0.0);
 #endif
       for (int c = AIR_DARK; c < AIR_CONSTITUENTS; ++c) {
@@ -287,14 +329,17 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, bool sparse, vec4 befo
 #ifdef AIR_SINGLE
         vec4 scattered = airScattering[i] * d.of[c];
 #ifdef AIR_SEPARATE
-        if (c >= AIR_SMOOTH)
+        if (c >= AIR_SMOOTH) {
           light.peaked[layer * AIR_PEAKED + c - AIR_SMOOTH] += sun * scattered;
-        else
+#ifdef AIR_BLURRED
+          if (layer == 0) peakedHere += dot(sun * scattered, vec4(1.0));
+#endif
+        } else
 #endif
           once += scattered * phases[i];
 #endif
 #ifdef AIR_SOURCE
-        more += d.of[c] * (sparse ? low[i] + share * rise[i] : sourceOf(parts, i));
+        more += d.of[c] * (sparse ? low[i] + share * rise[i] : sourceOf(parts, AIR_DEGREE, i));
 #endif
       }
 #ifdef AIR_SINGLE
@@ -310,6 +355,13 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, bool sparse, vec4 befo
       light.joint[layer] += weight * scatters * volumeLight(inVolume, layer);
 #endif
     }
+#ifdef AIR_BLURRED
+    vec4 forward = beforeTrue - before[0] -
+                   leg.sense * (depthAt(viewPlace, trueLayer(0)) - depthAt(viewPlace, 0)) +
+                   depthAt(sunPlace, trueLayer(0)) - depthAt(sunPlace, 0);
+    light.forward += peakedHere * 0.25 * max(dot(forward, vec4(1.0)), 0.0);
+    light.forwardWeight += peakedHere;
+#endif
   } while (++n < nodeCount.x);
 }
 
@@ -324,26 +376,31 @@ AirCuts noCuts() {
   return cuts;
 }
 
-// The light of the whole way.
-AirLight lightAlong(AirRay ray, AirWay way, WayEnds ends, AirCuts cuts) {
+// The light of the whole way; with AIR_SEPARATE its peaks are still apart.
+AirLight marchAlong(AirRay ray, AirWay way, WayEnds ends, AirCuts cuts) {
   AirShell shell = airShell();
   AirLight light = darkAir();
   vec4 phases[AIR_LAYERS * AIR_CONSTITUENTS];
 #ifdef AIR_SINGLE
   for (int layer = 0; layer < AIR_LAYERS; ++layer)
     for (int c = AIR_DARK; c < AIR_CONSTITUENTS; ++c)
-      phases[layer * AIR_CONSTITUENTS + c] = phaseOf(c, layer, ray.sunAlong);
+#ifdef AIR_BY_MOMENTS
+      phases[layer * AIR_CONSTITUENTS + c] = phaseByMoments(c, layer, ray.sunAlong);
+#else
+      phases[layer * AIR_CONSTITUENTS + c] = phaseOf(c, layer, ray.sunAlong, 0.0);
+#endif
 #endif
 #ifdef BODY_GROUND
   {
-#ifdef BODY_SUNLIT
+#if defined(BODY_SUNLIT) && !defined(AIR_HAZY)
     const bool sparse = true;
 #else
     const bool sparse = false;
 #endif
     vec4 before[AIR_LAYERS];
     for (int layer = 0; layer < AIR_LAYERS; ++layer) before[layer] = -depthAt(ends.start, layer);
-    marchLeg(ray, way.legs[0], 0.0, 1.0, sparse, before, phases, light);
+    vec4 beforeTrue = -depthAt(ends.start, trueLayer(0));
+    marchLeg(ray, way.legs[0], 0.0, 1.0, sparse, before, beforeTrue, phases, light);
     return light;
   }
 #else
@@ -359,15 +416,17 @@ AirLight lightAlong(AirRay ray, AirWay way, WayEnds ends, AirCuts cuts) {
       else
         before[layer] = leg.sense * start;
     }
-    float span = max(leg.highHeight - leg.lowHeight, 1e-6);
+    vec4 beforeTrue = leg.sense * depthAt(ends.start, trueLayer(0));
+    if (way.legCount == 2 && n == 1)
+      beforeTrue = 2.0 * depthAt(ends.low, trueLayer(0)) - depthAt(ends.start, trueLayer(0));
 #ifdef AIR_CUTS
+    LegSpan span = legSpan(leg);
     // Distances of the cuts as positions u on this leg, ascending.
     float at[4];
     for (int i = 0; i < 4; ++i) {
       float fromLow = (cuts.at[i] - leg.lowDistance) * leg.sense;
       at[i] = cuts.at[i] > 0.0 && fromLow > 0.0
-                  ? clamp(pow((heightOnLeg(shell, leg, fromLow) - leg.lowHeight) / span, 1.0 / 3.0),
-                          0.0, 1.0)
+                  ? nodeOfHeight(leg, span, heightOnLeg(shell, leg, fromLow))
                   : 0.0;
     }
     for (int i = 1; i < 4; ++i)
@@ -379,15 +438,45 @@ AirLight lightAlong(AirRay ray, AirWay way, WayEnds ends, AirCuts cuts) {
     float from = 0.0;
     for (int i = 0; i <= 4; ++i) {
       float to = i < 4 ? at[i] : 1.0;
-      if (to > from) marchLeg(ray, leg, from, to, false, before, phases, light);
+      if (to > from) marchLeg(ray, leg, from, to, false, before, beforeTrue, phases, light);
       from = to;
     }
 #else
-    marchLeg(ray, leg, 0.0, 1.0, false, before, phases, light);
+    marchLeg(ray, leg, 0.0, 1.0, false, before, beforeTrue, phases, light);
 #endif
   } while (++n < way.legCount);
   return light;
 #endif
+}
+
+#ifdef AIR_BLURRED
+// The row of the phase functions with the blur of that light.
+float blurOf(AirLight light) {
+  float depth = light.forwardWeight > 0.0 ? light.forward / light.forwardWeight : 0.0;
+  return blurRow(depth, float(AIR_PHASE_LEVELS - 1));
+}
+#endif
+
+// The light of the whole way.
+AirLight lightAlong(AirRay ray, AirWay way, WayEnds ends, AirCuts cuts) {
+  AirLight light = marchAlong(ray, way, ends, cuts);
+#ifdef AIR_JOINED
+  float blur = blurOf(light);
+  for (int layer = 0; layer < AIR_LAYERS; ++layer)
+    for (int c = 0; c < AIR_PEAKED; ++c)
+      light.joint[layer] += light.peaked[layer * AIR_PEAKED + c] *
+                            phaseOf(AIR_SMOOTH + c, layer, ray.sunAlong, blur);
+#endif
+#ifdef AIR_NORMALISED
+  // What the samples take away is what is missing in the end: no order brighter than the one before,
+  // however coarse the steps are in thick air.
+  for (int layer = 0; layer < AIR_LAYERS; ++layer) {
+    vec4 depth = depthOfWay(ends, layer);
+    vec4 missing = mix(depth, 1.0 - exp(-depth), greaterThan(depth, vec4(1e-3)));
+    light.joint[layer] *= missing / max(light.taken[layer], max(1e-4 * missing, vec4(1e-30)));
+  }
+#endif
+  return light;
 }
 
 // Where the ray crosses the edge of the body's own shadow and of the first caster's umbra.

@@ -39,10 +39,19 @@ vec2 skyPlace(vec3 direction, bool down) {
   return vec2((turn * float(size.x - 1) + 0.5) / float(size.x), row / float(size.y));
 }
 
-vec4 skyLight(vec2 place, int layer, float sunAlong) {
+// The blur of the phase functions in that direction.
+float blurOnSky(vec2 place) {
+#ifdef AIR_HAZY
+  return textureLod(skyPeaked, vec3(place, float(AIR_LAYERS * AIR_PEAKED)), 0.0).x;
+#else
+  return 0.0;
+#endif
+}
+
+vec4 skyLight(vec2 place, int layer, float sunAlong, float blur) {
   vec4 light = textureLod(skyJoint, vec3(place, float(layer)), 0.0);
   for (int c = 0; c < AIR_PEAKED; ++c)
-    light += phaseOf(AIR_SMOOTH + c, layer, sunAlong) *
+    light += phaseOf(AIR_SMOOTH + c, layer, sunAlong, blur) *
              textureLod(skyPeaked, vec3(place, float(layer * AIR_PEAKED + c)), 0.0);
   return light * skyDip.z;
 }

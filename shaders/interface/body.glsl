@@ -212,7 +212,7 @@ SurfaceLight surfaceLight(vec3 normal, vec3 direction, float footprint) {
 #endif
 #endif
 #ifdef AIR
-    vec4 diffuse = sourceAt(sourcePlace_, layer * 7 + 6);
+    vec4 diffuse = sourceAt(sourcePlace_, irradianceSlice(layer));
 #ifdef ECLIPSED_SOURCE
     diffuse *= eclipsedShare(position, 0.0, 1, layer);
 #endif
@@ -363,8 +363,9 @@ BodyLight bodyLight(vec3 cameraRay) {
 #if defined(AIR) && !defined(BODY_NIGHT)
 #ifdef AIR_SKY
   vec2 place = skyPlace(ray.direction, way.hitsGround);
+  float blur = blurOnSky(place);
   for (int layer = 0; layer < AIR_LAYERS; ++layer)
-    light[layer] += skyLight(place, layer, air.sunAlong);
+    light[layer] += skyLight(place, layer, air.sunAlong, blur);
 #else
   AirLight scattered = lightAlong(air, way, ends, noCuts());
   for (int layer = 0; layer < AIR_LAYERS; ++layer) light[layer] += scattered.joint[layer];
@@ -375,6 +376,11 @@ BodyLight bodyLight(vec3 cameraRay) {
   if (hits) {
     result.transmittance = vec3(0.0);
   } else {
+#ifdef AIR_HAZY
+    // What lies behind is seen past the forward peaks too.
+    for (int layer = 0; layer < AIR_LAYERS; ++layer)
+      through[layer] = exp(-depthOfWay(ends, trueLayer(layer)));
+#endif
     result.transmittance = colourShare(through);
   }
   result.transmittance *= 1.0 - cover;

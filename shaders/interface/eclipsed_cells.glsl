@@ -24,7 +24,7 @@ EclipsedCell eclipsedCell(ivec3 index) {
   EclipsedCell cell;
   cell.height = cellHeight(index.z);
   float x = float(index.x) / float(cellCount.x - 1);
-  cell.sunCosine = sourcePlace(airShell(), airShape.z, vec2(x, 0.0)).cosine;
+  cell.sunCosine = sourceSunCosine(sunSpan(airShape.z), x);
   cell.sun = vec3(sqrt(max(1.0 - cell.sunCosine * cell.sunCosine, 0.0)), 0.0, cell.sunCosine);
   cell.up = vec3(0.0, 0.0, 1.0);
   cell.forward = vec3(1.0, 0.0, 0.0);

@@ -29,6 +29,7 @@ void main() {
   WayEnds ends = endsOf(ray, way);
 #ifdef AIR_SKY
   vec2 place = skyPlace(ray.direction, way.hitsGround);
+  float blur = blurOnSky(place);
 #else
   AirLight light = lightAlong(ray, way, ends, shadowCuts(ray));
 #endif
@@ -36,13 +37,13 @@ void main() {
   vec2 ground = sourcePlaceOf(0.0, sunCosine);
   for (int layer = 0; layer < AIR_LAYERS; ++layer) {
 #ifdef AIR_SKY
-    vec4 sum = skyLight(place, layer, ray.sunAlong);
+    vec4 sum = skyLight(place, layer, ray.sunAlong, blur);
 #else
     vec4 sum = light.joint[layer];
 #endif
     if (way.hitsGround) {
       vec4 direct = sunOnHorizontal(sunCosine, airShape.w) * exp(-depthAt(depthPlace(0.0, max(sunCosine, 0.0)), layer));
-      vec4 diffuse = sourceAt(ground, layer * 7 + 6);
+      vec4 diffuse = sourceAt(ground, irradianceSlice(layer));
 #ifdef SHADOW_PAIRS
       vec3 where = ray.start + ray.direction * way.length;
       direct *= visibleSunlight(where, layer);

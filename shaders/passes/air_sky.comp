@@ -28,7 +28,7 @@ void main() {
   AirWay way = wayOf(ray);
   if (down) way.hitsGround = true;
   WayEnds ends = endsOf(ray, way);
-  AirLight light = lightAlong(ray, way, ends, shadowCuts(ray));
+  AirLight light = marchAlong(ray, way, ends, shadowCuts(ray));
   const vec4 most = vec4(6.0e4);  // of a half float
   for (int layer = 0; layer < AIR_LAYERS; ++layer) {
     imageStore(joint, ivec3(texel, layer), min(light.joint[layer] * skyDip.y, most));
@@ -36,4 +36,7 @@ void main() {
       imageStore(peaked, ivec3(texel, layer * AIR_PEAKED + c),
                  min(light.peaked[layer * AIR_PEAKED + c] * skyDip.y, most));
   }
+#ifdef AIR_BLURRED
+  imageStore(peaked, ivec3(texel, AIR_LAYERS * AIR_PEAKED), vec4(blurOf(light)));
+#endif
 }

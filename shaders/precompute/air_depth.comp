@@ -1,21 +1,25 @@
-// Optical depth from each height and zenith angle to the top of the air.
+// Optical depth from each height and zenith angle to the top of the air: by spectral layer that of the
+// rest, without forward peaks, then the true one.
 #include "interface/air.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f, binding = 0) writeonly uniform image2DArray depths;
 
-vec4 depthOfLeg(AirLeg leg, int layer) {
+vec4 depthOfLeg(AirLeg leg, int layer, bool withPeaks) {
   AirShell shell = airShell();
-  float span = leg.highHeight - leg.lowHeight;
+  LegSpan span = legSpan(leg);
   vec2 texels = densityTexels();
   vec4 sum = vec4(0.0);
   for (int i = 0; i < nodeCount.x; ++i) {
     float u = nodes[i].x;
-    AirPoint p = pointOnLeg(shell, leg, 0.0, leg.lowHeight + span * u * u * u);
+    LegNode node = nodeOnLeg(leg, span, u);
+    AirPoint p = pointOnLeg(shell, leg, 0.0, node.height);
     AirDensities d = densitiesAt(rootHeight(shell, p.height) * texels.x + texels.y);
     vec4 extinction = vec4(0.0);
-    for (int c = 0; c < AIR_CONSTITUENTS; ++c)
-      extinction += airExtinction[layer * AIR_CONSTITUENTS + c] * d.of[c];
-    sum += extinction * (nodes[i].y * 3.0 * u * u * span / max(p.cosine, 1e-9));
+    for (int c = 0; c < AIR_CONSTITUENTS; ++c) {
+      int k = layer * AIR_CONSTITUENTS + c;
+      extinction += (withPeaks ? airExtinction[k] : restExtinction(k)) * d.of[c];
+    }
+    sum += extinction * (nodes[i].y * node.step / max(p.cosine, 1e-9));
   }
   return sum;
 }
@@ -24,6 +28,8 @@ void main() {
   ivec3 texel = ivec3(gl_GlobalInvocationID);
   ivec3 size = imageSize(depths);
   if (texel.x >= size.x || texel.y >= size.y) return;
+  bool withPeaks = texel.z >= AIR_LAYERS;
+  int layer = withPeaks ? texel.z - AIR_LAYERS : texel.z;
   AirShell shell = airShell();
   HeightAndCosine at = heightAndCosineAt(shell, vec2(texel.xy) / vec2(size.xy - 1));
   float rise = (shell.radius + at.height) * at.cosine;
@@ -36,14 +42,14 @@ void main() {
   leg.highHeight = shell.top;
   vec4 sum;
   if (rise >= 0.0) {
-    sum = depthOfLeg(leg, texel.z);
+    sum = depthOfLeg(leg, layer, withPeaks);
   } else {
     float square = squareAboveGround(shell, at.height) - rise * rise;
     leg.lowHeight = max(square, 0.0) / (shell.radius + sqrt(shell.radius * shell.radius + max(square, 0.0)));
     leg.lowRise = 0.0;
-    sum = depthOfLeg(leg, texel.z);
+    sum = depthOfLeg(leg, layer, withPeaks);
     leg.highHeight = at.height;
-    sum += depthOfLeg(leg, texel.z);
+    sum += depthOfLeg(leg, layer, withPeaks);
   }
   imageStore(depths, texel, sum);
 }

@@ -1,6 +1,8 @@
 // Radiance that reaches a point of the air from each of a set of directions: of sunlight scattered or
 // reflected once (AIR_SINGLE), or of the light of the previous order scattered once more (AIR_SOURCE).
 // Invocation (x, y): Sun's zenith angle and height; z: direction. Stored by spectral layer, then direction.
+#define AIR_BY_MOMENTS
+#define AIR_NORMALISED
 #include "interface/air_march.glsl"
 layout(local_size_x = 8, local_size_y = 4) in;
 layout(rgba32f, binding = 0) writeonly uniform image2DArray radiances;
@@ -11,9 +13,7 @@ void main() {
   ivec3 size = imageSize(radiances);
   if (texel.x >= size.x || texel.y >= size.y) return;
   AirShell shell = airShell();
-  HeightAndCosine at = sourcePlace(shell, airShape.z, vec2(texel.xy) / vec2(size.xy - 1));
-  // The topmost cells lie a little inside, for the rays to have air to cross.
-  at.height = min(at.height, shell.top * 0.9999);
+  HeightAndCosine at = sourceCell(texel.xy, size.xy);
   AirDirection look = airDirection(texel.z, horizonCosine(shell, at.height));
   float r = shell.radius + at.height;
   AirRay ray;
@@ -38,7 +38,7 @@ void main() {
 #ifdef AIR_SINGLE
       vec4 irradiance = max(sunCosine, 0.0) * exp(-depthAt(depthPlace(0.0, sunCosine), layer));
 #else
-      vec4 irradiance = sourceAt(ground, layer * 7 + 6);
+      vec4 irradiance = sourceAt(ground, irradianceSlice(layer));
 #endif
       sum += irradiance * airGroundAlbedo[layer] / kPi * exp(-depthOfWay(ends, layer));
     }

@@ -2,6 +2,7 @@
 //   AIR_SINGLE: sunlight scattered or reflected once
 //   AIR_VOLUME: the light held by the cells, scattered or reflected once more
 //   UNECLIPSED, AIR_SINGLE, AIR_SOURCE: all light without the eclipse, for cells of their own
+#define AIR_BY_MOMENTS
 #include "interface/air_march.glsl"
 #ifndef UNECLIPSED
 #include "interface/eclipsed_air.glsl"
@@ -101,7 +102,7 @@ void main() {
           ;
 #endif
 #ifdef AIR_SOURCE
-      irradiance += sourceAt(ground, layer * 7 + 6);
+      irradiance += sourceAt(ground, irradianceSlice(layer));
 #endif
 #ifdef AIR_VOLUME
       irradiance += heldOnGround(where, layer);

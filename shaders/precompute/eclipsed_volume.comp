@@ -29,7 +29,9 @@ void main() {
       int i = layer * AIR_CONSTITUENTS + c;
       vec4 here = airScattering[i] * d.of[c];
       scatters += here;
-      sum += here * (m[0] + airPhaseMoment1[i] * first + airPhaseMoment2[i] * second);
+      const int step_ = AIR_LAYERS * AIR_CONSTITUENTS;
+      sum += here * (airPhaseMoments[i] * m[0] + airPhaseMoments[step_ + i] * first +
+                     airPhaseMoments[2 * step_ + i] * second);
     }
     vec4 light = mix(m[0], sum / max(scatters, vec4(1e-30)), greaterThan(scatters, vec4(1e-30)));
     imageStore(volume,

@@ -12,6 +12,9 @@
 #define SHARED_AIR_GEOMETRY_GLSL
 #include "shared/quantities.glsl"
 
+// Forward depth at which the last blurred phase function stands.
+const Number kMostBlur = 40.0;
+
 struct AirShell {
   Length radius;  // of the ground
   Length top;     // height of the boundary to empty space
@@ -173,18 +176,17 @@ Number sourceColumn(SunSpan span, Number sunCosine) {
   return sunCosine > 0.0 ? span.zero + (1.0 - span.zero) * root : span.zero * (1.0 - root);
 }
 
-HeightAndCosine sourcePlace(AirShell shell, Number lowest, TableCoordinates place) {
-  Number zero = sunSpan(lowest).zero;
-  Number side = place.x > zero ? (place.x - zero) / (1.0 - zero) : (zero - place.x) / zero;
-  HeightAndCosine found;
-  found.cosine = place.x > zero ? side * side : lowest * side * side;
-  found.height = shell.top * place.y * place.y;
-  return found;
+Number sourceSunCosine(SunSpan span, Number column) {
+  Number zero = span.zero;
+  Number side = column > zero ? (column - zero) / (1.0 - zero) : (zero - column) / zero;
+  return column > zero ? side * side : span.lowest * side * side;
 }
 
-// Directions about the local vertical and the Sun's azimuth: harmonics up to degree 2 that are
-// symmetric about the Sun's plane. z is the vertical component, x the one toward the Sun.
-// 1; z, x; (3 z^2 - 1)/2, x z, x^2 - y^2.
+// Directions about the local vertical and the Sun's azimuth: harmonics that are symmetric about the
+// Sun's plane. z is the vertical component, x the one toward the Sun.
+//   H(l, m) = Q(l, m; z) Re (x + i y)^m,  Q(m, m) = 1,
+//   (l + 1 - m) Q(l + 1, m) = (2 l + 1) z Q(l, m) - (l + m) Q(l - 1, m):
+// 1; z, x; (3 z^2 - 1)/2, 3 x z, x^2 - y^2; ... Walked by order m, and by degree l within it.
 struct SunFrame {
   Number z;
   Number x;
@@ -197,5 +199,55 @@ SunFrame sunFrame(Number cosine, Number sunCosine, Number sunAlong) {
   f.z = cosine;
   f.x = clamp((sunAlong - cosine * sunCosine) / sunSine, -sine, sine);
   return f;
+}
+
+struct SunHarmonic {
+  Number value;   // H(l, m)
+  Number before;  // H(l - 1, m), 0 for l = m
+  Number turn;    // Re (x + i y)^m
+  Number turnBefore;
+};
+
+SunHarmonic firstHarmonic() {
+  SunHarmonic h;
+  h.value = 1.0;
+  h.before = 0.0;
+  h.turn = 1.0;
+  h.turnBefore = 0.0;
+  return h;
+}
+
+// From (l, m) to (l + 1, m).
+SunHarmonic higherDegree(SunHarmonic h, SunFrame f, Index l, Index m) {
+  SunHarmonic next = h;
+  next.value = (Number(2 * l + 1) * f.z * h.value - Number(l + m) * h.before) / Number(l + 1 - m);
+  next.before = h.value;
+  return next;
+}
+
+// From any (l, m) to (m + 1, m + 1).
+SunHarmonic higherOrder(SunHarmonic h, SunFrame f, Index m) {
+  SunHarmonic next;
+  next.turn = m == 0 ? f.x : 2.0 * f.x * h.turn - (1.0 - f.z * f.z) * h.turnBefore;
+  next.turnBefore = h.turn;
+  next.value = next.turn;
+  next.before = 0.0;
+  return next;
+}
+
+// Integral of H(l, m)^2 over the sphere.
+Number harmonicNorm(Index l, Index m) {
+  Number norm = 4.0 * kPi / Number(2 * l + 1);
+  for (Index k = l - m + 1; k <= l + m; ++k) norm = norm * Number(k);
+  for (Index k = 1; k <= m; ++k) norm = norm / Number((2 * k - 1) * (2 * k - 1));
+  return m == 0 ? norm : 0.5 * norm;
+}
+
+// Rows of the blurred phase functions, 0 to `last`, over the mean depth of forward peaks on the way.
+Number blurRow(Number depth, Number last) {
+  return last * clamp(log(1.0 + 4.0 * depth) / log(1.0 + 4.0 * kMostBlur), 0.0, 1.0);
+}
+Number blurDepth(Number row, Number last) {
+  return 0.25 * (exp(log(1.0 + 4.0 * kMostBlur) * row / last) - 1.0);
 }
 #endif

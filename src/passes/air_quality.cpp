@@ -25,6 +25,8 @@ AirQuality AirQuality::read(const Table& table) {
   q.wavelengths = within(table, "wavelengths", q.wavelengths, 4, 40);
   if (q.wavelengths % 4) table.fail("wavelengths", "allowed: a multiple of 4");
   q.orders = within(table, "orders", q.orders, 0, 100);
+  q.degree = within(table, "degree", q.degree, 2, 10);
+  q.hazeDegree = within(table, "haze_degree", q.hazeDegree, q.degree, 10);
   q.depthWidth = within(table, "depth_width", q.depthWidth, 16, 2048);
   q.depthHeight = within(table, "depth_height", q.depthHeight, 8, 1024);
   q.sourceWidth = within(table, "source_width", q.sourceWidth, 16, 1024);

@@ -15,7 +15,9 @@ enum class AirStorage { Float, Half };
 struct AirQuality {
   AirStorage storage = AirStorage::Float;  // storage = "float" or "half"
   int wavelengths = 4;                     // a multiple of 4
-  int orders = 5;  // in the source table, the rest as a geometric series; 0: single scattering
+  int orders = 5;      // in the source table, the rest as a geometric series; 0: single scattering
+  int degree = 2;      // of the harmonics that hold scattered light,
+  int hazeDegree = 5;  // and through haze (AirTables::hazy())
   int depthWidth = 256;        // texels of the optical depth over zenith angle
   int depthHeight = 64;        // and over height
   int sourceWidth = 96;        // texels of the source over the Sun's zenith angle

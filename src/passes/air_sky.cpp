@@ -34,8 +34,8 @@ AirSky::AirSky(const AirTables& tables, const gl::Definitions& shadowDefinitions
   int const width = wholeTurn_ ? 2 * q.skyWidth - 1 : q.skyWidth;
   GLenum const format = q.storage == AirStorage::Half ? GL_RGBA16F : GL_RGBA32F;
   joint_ = gl::Texture::layers(format, width, q.skyHeight, tables.layers());
-  peaked_ = gl::Texture::layers(format, width, q.skyHeight,
-                                std::max(tables.layers() * tables.peakedCount(), 1));
+  peaked_ =
+      gl::Texture::layers(format, width, q.skyHeight, tables.layers() * tables.peakedCount() + 1);
 }
 
 void AirSky::update(const AirTables& tables, Length cameraHeight, const glm::dvec3& up,

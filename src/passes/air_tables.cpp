@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "medium/forward_peak.h"
 #include "passes/gauss_legendre.h"
 #include "photometry/spectral_weights.h"
 #include "shared/as_cpp.h"
@@ -16,24 +17,15 @@ namespace antumbra {
 namespace {
 
 constexpr int kDensityTexels = 1024;
-constexpr int kPhaseTexels = 2048;
 constexpr float kLargestHalf = 65504.0f;  // IEEE 754-2019, binary16
-constexpr int kMoments = 7;               // of a spectral layer in the source table
-
-// Legendre moment of a phase function: 2 pi times the integral of p P_l over the cosine; composite
-// midpoint in sqrt((1 - cosine)/2), which follows forward peaks.
-double legendreMoment(const PhaseFunction& phase, Length wavelength, int degree) {
-  constexpr int steps = 4000;
-  double sum = 0.0, norm = 0.0;
-  for (int i = 0; i < steps; ++i) {
-    double const x = (i + 0.5) / steps;
-    double const cosine = 1.0 - 2.0 * x * x;
-    double const p = phase.at(wavelength, cosine) * 4.0 * x / steps;
-    norm += p;
-    sum += p * (degree == 1 ? cosine : 1.5 * cosine * cosine - 0.5);
-  }
-  return sum / norm;
-}
+constexpr int kPhaseTexels = 768;
+// Vertical optical depth of peaked constituents together, mean over the wavelengths.
+constexpr double kThinHaze = 0.08;
+// Thick air takes this many orders more for each square of its vertical scattering depth, as light
+// that walks at random does, up to so many in all.
+constexpr double kOrdersPerSquare = 1.0;
+constexpr int kMostOrders = 20;
+constexpr int kPhaseLevels = 12;  // of blur by forward peaks
 
 bool scatters(const Constituent& c) {
   return !c.scattering.isConstant() || c.scattering.at(550.0 * nanometre) > 0.0;
@@ -103,7 +95,7 @@ std::vector<glm::dvec3> weightsOf(const std::vector<Length>& wavelengths) {
 
 std::vector<glm::vec4> airBlockOf(const Medium* medium, const std::vector<Length>& wavelengths,
                                   Length groundRadius, double lowestSunCosine, Angle sunRadius,
-                                  const std::vector<std::size_t>& order) {
+                                  const std::vector<std::size_t>& order, const AirPhases& phases) {
   std::size_t const layers = wavelengths.size() / 4;
   std::vector<glm::vec4> block;
   double const top = medium ? medium->topHeight.si : 1.0;
@@ -132,8 +124,15 @@ std::vector<glm::vec4> airBlockOf(const Medium* medium, const std::vector<Length
   addConstituents([](const Constituent& c, Length w) { return c.scattering.at(w); });
   addConstituents(
       [](const Constituent& c, Length w) { return c.scattering.at(w) + c.absorption.at(w); });
-  addConstituents([](const Constituent& c, Length w) { return legendreMoment(c.phase, w, 1); });
-  addConstituents([](const Constituent& c, Length w) { return legendreMoment(c.phase, w, 2); });
+  for (int l = 0; l <= phases.degree; ++l)
+    for (std::size_t layer = 0; layer < layers; ++layer)
+      for (std::size_t c = 0; c < std::max<std::size_t>(order.size(), 1); ++c) {
+        glm::vec4 four(0.0f);
+        for (std::size_t i = 0; i < 4 && !order.empty(); ++i)
+          four[static_cast<int>(i)] = static_cast<float>(
+              phases.of[c][layer * 4 + i].restMoments()[static_cast<std::size_t>(l)]);
+        block.push_back(four);
+      }
   auto const weights = weightsOf(wavelengths);
   for (int channel = 0; channel < 3; ++channel)
     add([&](std::size_t i) { return weights[i][channel]; });
@@ -167,18 +166,64 @@ AirTables::AirTables(const Medium& medium, Length groundRadius,
                                            [](const Constituent& c) { return !isSmooth(c); }));
   auto const dark = std::count_if(medium.constituents.begin(), medium.constituents.end(),
                                   [](const Constituent& c) { return !scatters(c); });
+  // Thin haze hardly shows its higher harmonics.
+  double haze = 0.0;
+  for (std::size_t c = 0; c < medium.constituents.size(); ++c)
+    if (!isSmooth(medium.constituents[c])) {
+      double depth = 0.0;
+      for (Length w : wavelengths_) depth += medium.opticalDepth(c, w);
+      haze += depth / static_cast<double>(wavelengths_.size());
+    }
+  // Sunlight scattered once alone has no use for it.
+  hazy_ = haze > kThinHaze && quality_.orders > 0;
+  degree_ = hazy_ ? quality_.hazeDegree : quality_.degree;
+  if (hazy_) {
+    // Its many harmonics cost more than finer cells and directions give: these resolve them.
+    quality_.sourceWidth = std::min(quality_.sourceWidth, 96);
+    quality_.sourceHeight = std::min(quality_.sourceHeight, 32);
+    quality_.zenithDirections = std::min(quality_.zenithDirections, 16);
+    quality_.azimuthDirections = std::min(quality_.azimuthDirections, 8);
+    quality_.sourceSamples = std::min(quality_.sourceSamples, 12);
+  }
   definitions_ = {{"AIR", ""},
                   {"AIR_LAYERS", std::to_string(layers_)},
                   {"AIR_CONSTITUENTS", std::to_string(constituents_)},
                   {"AIR_SMOOTH", std::to_string(constituents_ - peaked_)},
-                  {"AIR_DARK", std::to_string(dark)}};
+                  {"AIR_DARK", std::to_string(dark)},
+                  {"AIR_DEGREE", std::to_string(degree_)},
+                  {"AIR_PHASE_LEVELS", std::to_string(kPhaseLevels)}};
+  if (hazy_) definitions_.emplace_back("AIR_HAZY", "");
   // Twice the angle by which the top sees the Sun below the ground's horizon, and 5 degrees.
   double const dip = std::acos(groundRadius / (groundRadius + top_));
   lowestSunCosine_ = -std::sin(std::min(2.0 * dip + 5.0 * degree.si, 0.5 * std::numbers::pi));
-  auto block = airBlockOf(&medium, wavelengths_, groundRadius, lowestSunCosine_, sunRadius, order);
+  AirPhases phases{degree_, {}};
+  for (std::size_t c : order) {
+    phases.of.emplace_back();
+    for (Length w : wavelengths_)
+      phases.of.back().emplace_back(medium.constituents[c].phase, w, degree_, hazy_);
+  }
+  // Of what turns light; the thickest wavelength.
+  double turning = 0.0;
+  for (std::size_t w = 0; w < wavelengths_.size(); ++w) {
+    double depth = 0.0;
+    for (std::size_t c = 0; c < order.size(); ++c) {
+      Constituent const& own = medium.constituents[order[c]];
+      depth += (1.0 - phases.of[c][w].share()) * own.scattering.at(wavelengths_[w]) *
+               (own.density.column(Length(0.0), medium.topHeight) / metre);
+    }
+    turning = std::max(turning, depth);
+  }
+  // 0 orders mean single scattering, whatever the air.
+  int const more = static_cast<int>(
+      std::min(kOrdersPerSquare * turning * turning, static_cast<double>(kMostOrders)));
+  orders_ = quality_.orders == 0
+                ? 0
+                : std::max(quality_.orders, std::min(quality_.orders + more, kMostOrders));
+  auto block =
+      airBlockOf(&medium, wavelengths_, groundRadius, lowestSunCosine_, sunRadius, order, phases);
   block_.write(std::span<const glm::vec4>(block));
-  buildDensities(medium, order);
-  buildPhases(medium, order);
+  buildDensities(medium, order, phases);
+  buildPhases(medium, order, phases);
   buildDepths();
   buildSource();
   measureSource();
@@ -191,8 +236,41 @@ AirTables::AirTables(const Medium& medium, Length groundRadius,
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void AirTables::buildDensities(const Medium& medium, const std::vector<std::size_t>& order) {
-  int const rows = (constituents_ + 3) / 4;
+// Levels of the source over the root of height, as table: half of them even in that root, half in
+// the logarithm of the optical depth above, so that hazes and clouds have theirs.
+std::vector<double> AirTables::sourceLevels(const Medium& medium,
+                                            const std::vector<std::size_t>& order,
+                                            const AirPhases& phases) const {
+  auto const depthAbove = [&](double height) {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < order.size(); ++c) {
+      Constituent const& own = medium.constituents[order[c]];
+      double turning = 0.0;
+      for (std::size_t w = 0; w < wavelengths_.size(); ++w)
+        turning += own.absorption.at(wavelengths_[w]) +
+                   own.scattering.at(wavelengths_[w]) * (1.0 - phases.of[c][w].share());
+      sum += turning / static_cast<double>(wavelengths_.size()) *
+             (own.density.column(Length(height), medium.topHeight) / metre);
+    }
+    return sum;
+  };
+  auto const scaled = [&](double height) {
+    double const depth = depthAbove(height);
+    return std::log1p(8.0 * depth) + 0.4 * depth;
+  };
+  double const all = scaled(0.0);
+  std::vector<double> levels;
+  for (int i = 0; i < kDensityTexels; ++i) {
+    double const x = static_cast<double>(i) / (kDensityTexels - 1);
+    double const dense = all > 0.0 ? 1.0 - scaled(x * x * medium.topHeight.si) / all : x;
+    levels.push_back(0.5 * (x + dense));
+  }
+  return levels;
+}
+
+void AirTables::buildDensities(const Medium& medium, const std::vector<std::size_t>& order,
+                               const AirPhases& phases) {
+  int const rows = (constituents_ + 3) / 4 + 1;
   std::vector<float> texels(static_cast<std::size_t>(kDensityTexels * rows * 4), 0.0f);
   for (std::size_t c = 0; c < order.size(); ++c)
     for (int i = 0; i < kDensityTexels; ++i) {
@@ -202,23 +280,83 @@ void AirTables::buildDensities(const Medium& medium, const std::vector<std::size
       std::size_t const at = (c / 4) * kDensityTexels * 4 + static_cast<std::size_t>(i) * 4 + c % 4;
       texels[at] = static_cast<float>(medium.constituents[order[c]].density.atMetres(height));
     }
+  auto const levels = sourceLevels(medium, order, phases);
+  std::size_t const last = static_cast<std::size_t>((rows - 1) * kDensityTexels * 4);
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    texels[last + 4 * i] = static_cast<float>(levels[i]);
+    double const level = static_cast<double>(i) / (kDensityTexels - 1);
+    while (k + 2 < levels.size() && levels[k + 1] < level) ++k;
+    double const within = std::clamp((level - levels[k]) / (levels[k + 1] - levels[k]), 0.0, 1.0);
+    texels[last + 4 * i + 1] =
+        static_cast<float>((static_cast<double>(k) + within) / (kDensityTexels - 1));
+  }
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    std::size_t const low = i > 0 ? i - 1 : 0, high = std::min(i + 1, levels.size() - 1);
+    texels[last + 4 * i + 2] = (texels[last + 4 * high + 1] - texels[last + 4 * low + 1]) *
+                               static_cast<float>(kDensityTexels - 1) /
+                               static_cast<float>(high - low);
+  }
   densities_ = gl::Texture::plane(GL_RGBA32F, kDensityTexels, rows);
   densities_.upload(texels, 4);
 }
 
-void AirTables::buildPhases(const Medium& medium, const std::vector<std::size_t>& order) {
-  int const rows = layers_ * constituents_;
+void AirTables::buildPhases(const Medium& medium, const std::vector<std::size_t>& order,
+                            const AirPhases& phases) {
+  int const rowsEach = hazy_ ? kPhaseLevels + 1 : 1, rows = layers_ * constituents_ * rowsEach;
+  std::vector<double> cosines;
+  for (int i = 0; i < kPhaseTexels; ++i)
+    cosines.push_back(1.0 - 2.0 * std::pow(static_cast<double>(i) / (kPhaseTexels - 1), 4.0));
   std::vector<float> texels(static_cast<std::size_t>(kPhaseTexels * rows * 4), 0.0f);
-  for (int layer = 0; layer < layers_; ++layer)
-    for (int c = 0; c < constituents_; ++c)
-      for (int i = 0; i < kPhaseTexels; ++i)
-        for (int k = 0; k < 4; ++k) {
-          double const x = static_cast<double>(i) / (kPhaseTexels - 1);
-          auto const at = ((layer * constituents_ + c) * kPhaseTexels + i) * 4 + k;
-          texels[static_cast<std::size_t>(at)] =
-              static_cast<float>(medium.constituents[order[static_cast<std::size_t>(c)]].phase.at(
-                  wavelengths_[static_cast<std::size_t>(layer * 4 + k)], 1.0 - 2.0 * x * x));
+  auto const put = [&](int row, std::size_t k, const std::vector<double>& values) {
+    for (std::size_t i = 0; i < values.size(); ++i)
+      texels[(static_cast<std::size_t>(row * kPhaseTexels) + i) * 4 + k] =
+          static_cast<float>(values[i]);
+  };
+  // Vertical depth of each wavelength's forward peaks; rows go by its mean over the first layer.
+  std::size_t const count = order.size();
+  auto const forwardDepth = [&](std::size_t c, std::size_t w) {
+    Constituent const& own = medium.constituents[order[c]];
+    return phases.of[c][w].share() * own.scattering.at(wavelengths_[w]) *
+           (own.density.column(Length(0.0), medium.topHeight) / metre);
+  };
+  std::vector<double> depths(wavelengths_.size(), 0.0);
+  for (std::size_t w = 0; w < depths.size(); ++w)
+    for (std::size_t c = 0; c < count; ++c) depths[w] += forwardDepth(c, w);
+  double const standard = 0.25 * (depths[0] + depths[1] + depths[2] + depths[3]);
+  for (std::size_t w = 0; w < wavelengths_.size(); ++w) {
+    std::vector<double> mean;  // moments of all peaks together
+    for (std::size_t c = 0; c < count; ++c) {
+      auto const& own = phases.of[c][w].peakMoments();
+      double const share = depths[w] > 0.0 ? forwardDepth(c, w) / depths[w] : 0.0;
+      if (mean.size() < own.size()) mean.resize(own.size(), 0.0);
+      for (std::size_t l = 0; l < own.size(); ++l) mean[l] += share * own[l];
+    }
+    for (std::size_t c = 0; c < count; ++c) {
+      ForwardPeak const& own = phases.of[c][w];
+      int const first = (static_cast<int>(w / 4) * constituents_ + static_cast<int>(c)) * rowsEach;
+      std::vector<double> rest, byMoments;
+      for (double x : cosines) {
+        rest.push_back(own.rest(x));
+        byMoments.push_back(own.restByMoments(x));
+      }
+      if (!hazy_) {
+        put(first, w % 4, rest);
+        continue;
+      }
+      for (int level = 0; level < kPhaseLevels; ++level) {
+        auto values = rest;
+        if (own.share() > 0.0) {
+          double const depth = glsl::blurDepth(level, kPhaseLevels - 1) *
+                               (standard > 0.0 ? depths[w] / standard : 1.0);
+          auto const peak = blurredPeak(own, mean, depth, cosines);
+          for (std::size_t i = 0; i < values.size(); ++i) values[i] += peak[i];
         }
+        put(first + level, w % 4, values);
+      }
+      put(first + kPhaseLevels, w % 4, byMoments);
+    }
+  }
   phases_ = gl::Texture::plane(GL_RGBA32F, kPhaseTexels, rows);
   phases_.upload(texels, 4);
 }
@@ -232,7 +370,8 @@ void AirTables::bind() const {
 }
 
 void AirTables::buildDepths() {
-  depths_ = gl::Texture::layers(GL_RGBA32F, quality_.depthWidth, quality_.depthHeight, layers_);
+  depths_ = gl::Texture::layers(GL_RGBA32F, quality_.depthWidth, quality_.depthHeight,
+                                hazy_ ? 2 * layers_ : layers_);
   auto const program = gl::Program::compute("precompute/air_depth.comp", definitions_);
   QuadratureBlock const nodes(48);
   bind();
@@ -241,15 +380,17 @@ void AirTables::buildDepths() {
   depths_.bindImage(0, GL_WRITE_ONLY);
   glDispatchCompute(static_cast<GLuint>((quality_.depthWidth + 7) / 8),
                     static_cast<GLuint>((quality_.depthHeight + 7) / 8),
-                    static_cast<GLuint>(layers_));
+                    static_cast<GLuint>(hazy_ ? 2 * layers_ : layers_));
   glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 
 void AirTables::buildSource() {
   int const width = quality_.sourceWidth, height = quality_.sourceHeight;
   int const directions = quality_.zenithDirections * quality_.azimuthDirections;
-  source_ = gl::Texture::layers(GL_RGBA32F, width, height, kMoments * layers_);
-  auto const previous = gl::Texture::layers(GL_RGBA32F, width, height, kMoments * layers_);
+  // Harmonics and the irradiance.
+  int const moments = (degree_ + 1) * (degree_ + 2) / 2 + 1;
+  source_ = gl::Texture::layers(GL_RGBA32F, width, height, moments * layers_);
+  auto const previous = gl::Texture::layers(GL_RGBA32F, width, height, moments * layers_);
   auto const radiances = gl::Texture::layers(GL_RGBA32F, width, height, directions * layers_);
   if (quality_.orders == 0) {  // sunlight scattered once alone: no source
     glClearTexImage(source_.id(), 0, GL_RGBA, GL_FLOAT, nullptr);
@@ -262,7 +403,7 @@ void AirTables::buildSource() {
   };
   auto const first = gl::Program::compute("precompute/air_radiance.comp", with("AIR_SINGLE"));
   auto const next = gl::Program::compute("precompute/air_radiance.comp", with("AIR_SOURCE"));
-  auto const moments = gl::Program::compute("precompute/air_moments.comp", definitions_);
+  auto const project = gl::Program::compute("precompute/air_moments.comp", definitions_);
   QuadratureBlock const nodes(quality_.sourceSamples);
   gl::Buffer zenith;
   std::vector<glm::vec4> zenithNodes(64, glm::vec4(0.0f));
@@ -272,7 +413,7 @@ void AirTables::buildSource() {
   auto const groupsX = static_cast<GLuint>((width + 7) / 8);
   auto const groupsY = static_cast<GLuint>((height + 3) / 4);
   glm::ivec2 const counts(quality_.zenithDirections, quality_.azimuthDirections);
-  for (int order = 1; order <= quality_.orders; ++order) {
+  for (int order = 1; order <= orders_; ++order) {
     bind();
     nodes.bind();
     zenith.bindUniform(4);
@@ -282,10 +423,7 @@ void AirTables::buildSource() {
     radiances.bindImage(0, GL_WRITE_ONLY);
     glDispatchCompute(groupsX, groupsY, static_cast<GLuint>(directions));
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
-    moments.set("directionCount", counts)
-        .set("order", order)
-        .set("lastOrder", quality_.orders)
-        .use();
+    project.set("directionCount", counts).set("order", order).set("lastOrder", orders_).use();
     radiances.bindImage(0, GL_READ_ONLY);
     previous.bindImage(1, GL_READ_WRITE);
     source_.bindImage(2, GL_READ_WRITE);
@@ -312,12 +450,13 @@ void AirTables::measureSource() {
   auto const texels = source_.readRgba();
   auto const width = static_cast<std::size_t>(source_.width());
   std::size_t const slice = width * static_cast<std::size_t>(source_.height()) * 4;
+  int const perLayer = source_.depth() / layers_;
   brightest_.assign(width, 0.0);
   for (int layer = 0; layer < layers_; ++layer)
     for (std::size_t i = 0; i < slice; ++i) {
       double& most = brightest_[i / 4 % width];
       most = std::max(most, static_cast<double>(
-                                texels[static_cast<std::size_t>(layer * kMoments) * slice + i]));
+                                texels[static_cast<std::size_t>(layer * perLayer) * slice + i]));
     }
 }
 

@@ -4,9 +4,10 @@
 //
 // The source is iterated by orders: for every cell the radiance from a set of directions, marched
 // through the previous order's moments with the ground's reflection, is projected on harmonics up
-// to degree 2. For molecules that is exact (their phase function has no others); the multiply
-// scattered share of peaked constituents keeps its first two moments. Errors:
-// configs/quality/README.md.
+// to `degree`. For molecules two are exact (their phase function has no others). Of peaked
+// constituents the forward peak counts as no scattering (medium/forward_peak.h): the depths that
+// light is marched with leave it out, and sunlight scattered once keeps it, blurred by the peaks on
+// its way. Errors: configs/quality/README.md.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -15,16 +16,23 @@
 #include "gl/buffer.h"
 #include "gl/program.h"
 #include "gl/texture.h"
+#include "medium/forward_peak.h"
 #include "medium/medium.h"
 #include "passes/air_quality.h"
 #include "quantity/quantity.h"
 
 namespace antumbra {
 
+// Phase functions as the tables take them: by constituent and wavelength.
+struct AirPhases {
+  int degree = 2;
+  std::vector<std::vector<ForwardPeak>> of;
+};
+
 // Uniforms of interface/air.glsl, as many as a medium and its wavelengths need.
 std::vector<glm::vec4> airBlockOf(const Medium* medium, const std::vector<Length>& wavelengths,
                                   Length groundRadius, double lowestSunCosine, Angle sunRadius,
-                                  const std::vector<std::size_t>& order);
+                                  const std::vector<std::size_t>& order, const AirPhases& phases);
 
 class AirTables {
  public:
@@ -39,6 +47,10 @@ class AirTables {
   void bind() const;
   int layers() const { return layers_; }
   int peakedCount() const { return peaked_; }
+  // Samples on the way to sunlit ground: more through haze.
+  // Whether the medium holds haze enough for the knobs of haze.
+  bool hazy() const { return hazy_; }
+  int groundSamples() const { return hazy_ ? quality_.viewSamples : quality_.groundSamples; }
   Length groundRadius() const { return groundRadius_; }
   Length top() const { return top_; }
   // Of the source table: no light comes from air whose Sun is lower.
@@ -54,8 +66,12 @@ class AirTables {
   const gl::Texture& depths() const { return depths_; }
 
  private:
-  void buildDensities(const Medium& medium, const std::vector<std::size_t>& order);
-  void buildPhases(const Medium& medium, const std::vector<std::size_t>& order);
+  std::vector<double> sourceLevels(const Medium& medium, const std::vector<std::size_t>& order,
+                                   const AirPhases& phases) const;
+  void buildDensities(const Medium& medium, const std::vector<std::size_t>& order,
+                      const AirPhases& phases);
+  void buildPhases(const Medium& medium, const std::vector<std::size_t>& order,
+                   const AirPhases& phases);
   void buildDepths();
   void buildSource();
   // Tables in 16 bits; returns the radiance of a value of the source.
@@ -69,6 +85,9 @@ class AirTables {
   int layers_ = 1;
   int constituents_ = 0;
   int peaked_ = 0;
+  bool hazy_ = false;
+  int degree_ = 2;
+  int orders_ = 0;
   gl::Definitions definitions_;
   gl::Buffer block_;
   gl::Texture densities_, phases_, depths_, source_;

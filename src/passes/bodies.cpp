@@ -125,7 +125,7 @@ struct BodiesPass::State {
         viewNodes(q.viewSamples),
         groundNodes(q.groundSamples) {
     wavelengths = defaultWavelengths(q.wavelengths);
-    auto const block = airBlockOf(nullptr, wavelengths, 1.0 * metre, -0.5, Angle(0.00465), {});
+    auto const block = airBlockOf(nullptr, wavelengths, 1.0 * metre, -0.5, Angle(0.00465), {}, {});
     vacuum.write(std::span<const glm::vec4>(block));
   }
 
@@ -402,7 +402,9 @@ void BodiesPass::draw(const PlannedBody& body, const Projection& picture, glm::i
   for (std::size_t part = 0; part < kBodyParts; ++part) {
     auto const count = static_cast<GLsizei>(resident.tiles[part].size());
     if (!count) continue;
-    (part == std::size_t(BodyPart::Sunlit) ? s.groundNodes : s.viewNodes).bind();
+    bool const few = part == std::size_t(BodyPart::Sunlit) &&
+                     !(!resident.air.empty() && s.airs.at(resident.air)->hazy());
+    (few ? s.groundNodes : s.viewNodes).bind();
     glVertexArrayVertexBuffer(s.vertexArray(), 0, resident.corners[part].id(), 0,
                               sizeof(glm::vec2));
     s.programs.at(resident.programs[part])

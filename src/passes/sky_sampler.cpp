@@ -179,7 +179,7 @@ std::vector<double> SkySampler::sample(const SkyRequest& request) {
       auto flags = definitions;
       flags.emplace_back(ground ? "BODY_SUNLIT" : "AIR_CUTS", "");
       auto const radiances =
-          own.run(probes, flags, ground ? s.quality.groundSamples : s.quality.viewSamples);
+          own.run(probes, flags, ground ? tables.groundSamples() : s.quality.viewSamples);
       for (std::size_t p = 0; p < probes.size(); ++p)
         for (std::size_t w = 0; w < own.count; ++w)
           result[whose[p] * s.count + own.first + w] =
