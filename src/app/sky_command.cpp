@@ -250,7 +250,7 @@ void runSky(const Options& options) {
   if (options.wavelengths.empty()) {
     if (!options.luminance)
       throw InputError("--wavelengths: missing; it is required without --luminance");
-    request.wavelengths = defaultWavelengths(8);
+    request.wavelengths = defaultWavelengths(colourWavelengths(options.method));
   } else {
     request.wavelengths = readWavelengths(options.wavelengths, request.medium);
   }
@@ -305,8 +305,9 @@ void addSkyCommand(CLI::App& program) {
       "--directions", options->directions,
       "file (or - for standard input): a header view_zenith_deg,rel_azimuth_deg, then a line "
       "for each direction; azimuth 0 is towards the Sun, zenith above 90 looks down");
-  sky->add_option("--wavelengths", options->wavelengths,
-                  "nm, separated by commas; with --luminance by default eight of its own choice");
+  sky->add_option(
+      "--wavelengths", options->wavelengths,
+      "nm, separated by commas; with --luminance by default those of the preset, or eight");
   sky->add_option("--method", options->method, "one of " + methods);
   sky->add_option("--sun", options->sun,
                   "point, or disc of 0.004653 rad for the sunlight's directions");

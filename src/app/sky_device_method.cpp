@@ -9,6 +9,10 @@
 
 namespace antumbra {
 
+int colourWavelengths(const std::string& method) {
+  return method == "reference" || method == "single" ? 8 : AirQuality::preset(method).wavelengths;
+}
+
 SkyRequest skyRequestOf(const SkyQuestion& question) {
   SkyRequest request;
   request.altitude = Length(glm::length(question.camera.m)) - question.medium.radius;

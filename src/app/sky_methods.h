@@ -36,6 +36,9 @@ using SkyProgress = std::function<void(double)>;
 using SkyMethod = std::function<SkyAnswer(const SkyQuestion&, const SkyProgress&)>;
 const std::map<std::string, SkyMethod>& skyMethods();
 
+// How many wavelengths make a colour: a preset's own, as in pictures, else eight.
+int colourWavelengths(const std::string& method);
+
 // The question to the graphics device.
 SkyRequest skyRequestOf(const SkyQuestion& question);
 

@@ -164,22 +164,25 @@ std::vector<double> SkySampler::sample(const SkyRequest& request) {
       sky->second.update(tables, request.altitude, {0.0, 0.0, 1.0}, sun);
       sky->second.bind();
     }
-    // As pictures are drawn: sunlit ground with the fewer samples.
-    for (bool const ground : {false, true}) {
+    // As pictures are drawn: ground, sunlit with the fewer samples, by programs of its own.
+    auto const kindOf = [&](const Probe& probe) -> std::string {
+      if (useTable || probe.ray.y >= 0.0f || probe.start.w <= 0.0f) return "";
+      return probe.direction.w >= static_cast<float>(kSunlitSine) ? "BODY_SUNLIT" : "BODY_DUSK";
+    };
+    for (std::string const kind : {"", "BODY_SUNLIT", "BODY_DUSK"}) {
       std::vector<Probe> probes;
       std::vector<std::size_t> whose;
       for (std::size_t i = 0; i < request.directions.size(); ++i)
         if (auto const probe = probeOf(s.medium, request, request.directions[i])) {
-          bool const meets = !useTable && probe->direction.w >= static_cast<float>(kSunlitSine);
-          if (meets != ground) continue;
+          if (kindOf(*probe) != kind) continue;
           probes.push_back(*probe);
           whose.push_back(i);
         }
       if (probes.empty()) continue;
       auto flags = definitions;
-      flags.emplace_back(ground ? "BODY_SUNLIT" : "AIR_CUTS", "");
-      auto const radiances =
-          own.run(probes, flags, ground ? tables.groundSamples() : s.quality.viewSamples);
+      if (!kind.empty()) flags.emplace_back(kind, "");
+      auto const radiances = own.run(
+          probes, flags, kind == "BODY_SUNLIT" ? tables.groundSamples() : s.quality.viewSamples);
       for (std::size_t p = 0; p < probes.size(); ++p)
         for (std::size_t w = 0; w < own.count; ++w)
           result[whose[p] * s.count + own.first + w] =
