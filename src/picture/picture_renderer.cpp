@@ -24,6 +24,7 @@
 #include "passes/sun.h"
 #include "passes/sun_occlusion.h"
 #include "photometry/colour.h"
+#include "photometry/naked_eye.h"
 #include "picture/sunlight.h"
 #include "scene/apparent_stars.h"
 #include "scene/star_catalogue.h"
@@ -108,6 +109,8 @@ struct PictureRenderer::State {
   SunlightThroughAir throughAir;
   glm::dvec3 airBeforeSun{1.0};
   std::vector<StarPoint> stars;  // of the picture in hand
+  // Faintest point, lux, that its observer sees; a camera has no such limit.
+  std::optional<double> faintestPoint;
   std::map<ProjectionKind, ConePass> conePasses;
   std::optional<DrawingPass> curves, clock;
 
@@ -134,8 +137,19 @@ struct PictureRenderer::State {
     for (auto const& star :
          apparentStars(*catalogue, placed.when, placed.velocity, scene.display.limitingMagnitude))
       points.push_back({placed.cameraFromIcrs(star.direction).u,
-                        colouredLux(star.illuminance, star.colorIndexBv)});
+                        colouredLux(seenLux(star.illuminance), star.colorIndexBv)});
     return points;
+  }
+
+  // A point's light as the observer sees it: below an eye's threshold it goes within a magnitude.
+  double seenLux(double lux) const {
+    if (!faintestPoint) return lux;
+    double const over = lux / *faintestPoint, fourth = over * over * over * over;
+    return lux * fourth / (1.0 + fourth);
+  }
+  void observeWith(const EyeState* eye) {
+    faintestPoint.reset();
+    if (eye) faintestPoint = faintestPointLux(eye->adaptedLuminance);
   }
 
   // How much of the Sun the device finds uncovered: of this very picture off line, of the newest
@@ -216,7 +230,7 @@ struct PictureRenderer::State {
     if (!plan.points.empty()) {
       std::vector<StarPoint> points;
       for (auto const& p : plan.points)
-        points.push_back({p.direction.u, colouredLux(p.illuminance, p.colorIndexBv)});
+        points.push_back({p.direction.u, colouredLux(seenLux(p.illuminance), p.colorIndexBv)});
       run("points", [&] {
         passes.stars.draw(points);
         passes.stars.drawHalos(plan.picture, points, eye);
@@ -308,6 +322,7 @@ PictureRenderer::~PictureRenderer() = default;
 MeterReading PictureRenderer::meter(const Scene& scene, const PlacedScene& placed,
                                     const RenderPlan& plan) {
   State& s = *state_;
+  s.observeWith(nullptr);
   s.resize(plan.picture.width, plan.picture.height);
   s.prepare(scene, placed, plan);
   s.drawTile(scene, plan, {0, 0});
@@ -317,6 +332,7 @@ MeterReading PictureRenderer::meter(const Scene& scene, const PlacedScene& place
 FinishedPicture PictureRenderer::finish(const Scene& scene, const PlacedScene& placed,
                                         const RenderPlan& plan, const EyeState* eye) {
   State& s = *state_;
+  s.observeWith(scene.display.eye ? eye : nullptr);
   int const width = plan.picture.width, height = plan.picture.height;
   if (double(width) * height > kMostPixels)
     throw InputError(fmt::format("--size: found {}x{}; allowed: at most {:.0f} pixels", width,
@@ -377,6 +393,7 @@ FinishedPicture PictureRenderer::finish(const Scene& scene, const PlacedScene& p
 void PictureRenderer::show(const Scene& scene, const PlacedScene& placed, const RenderPlan& plan,
                            unsigned framebuffer, Duration sinceLast) {
   State& s = *state_;
+  s.observeWith(scene.display.eye && s.liveEye ? &*s.liveEye : nullptr);
   ToneMap& toneMap = s.passesFor(plan.picture.kind).toneMap;
   s.resize(plan.picture.width, plan.picture.height);
   s.prepare(scene, placed, plan);

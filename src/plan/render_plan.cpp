@@ -329,7 +329,9 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
 
   auto& passes = plan.passes;
   passes.push_back(
-      {"stars", "the sky behind everything; air and daylight drown them by luminance"});
+      {"stars", scene.display.eye
+                    ? "the sky behind everything; daylight drowns them, and the eye's own threshold"
+                    : "the sky behind everything; air and daylight drown them by luminance"});
   if (!plan.points.empty())
     passes.push_back(
         {"points", fmt::format("{} bodies smaller than {} px", plan.points.size(), kPointPixels)});

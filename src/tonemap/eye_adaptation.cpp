@@ -73,6 +73,7 @@ EyeState steadyEye(const MeterReading& reading, const AutomaticExposure& setting
   eye.conePigment = 1.0 / (1.0 + light / kConeBleach);
   eye.rodPigment = 1.0 / (1.0 + kScotopicRatio * light / kRodBleach);
   eye.whiteLuminance = wantedWhite(eye, reading, settings);
+  eye.adaptedLuminance = luminanceSeen(reading);
   return eye;
 }
 
@@ -95,6 +96,9 @@ EyeState adaptedEye(EyeState eye, const MeterReading& from, const MeterReading& 
     double const now = std::log(eye.whiteLuminance);
     double const constant = target > now ? kTowardsBright : kTowardsDark;
     eye.whiteLuminance = std::exp(target + (now - target) * std::exp(-step / constant));
+    double const seen = std::log(luminanceSeen(reading)), before = std::log(eye.adaptedLuminance);
+    eye.adaptedLuminance = std::exp(
+        seen + (before - seen) * std::exp(-step / (seen > before ? kTowardsBright : kTowardsDark)));
   }
   return eye;
 }

@@ -11,6 +11,8 @@
 // for rods (Dowling & Rushton's relation; Lamb & Pugh 2004, Prog. Retin. Eye Res. 23, 307) over
 // 0.003 and 1e-6 cd/m2 (Hecht 1937). The eye cannot adapt to less than the lower of the two, and
 // its rods add nothing below theirs. Pupil: Moon & Spencer 1944 (JOSA 34, 319).
+// Points of light go where they fall below the naked eye's threshold (photometry/naked_eye.h) at
+// the luminance that the nerves have followed to.
 //
 // To be honest: one retina for the whole field, adapted to the picture's metered mean; scotopic
 // trolands are taken as 2 photopic ones (sunlight and skylight: 2.2 to 2.6).
@@ -27,6 +29,7 @@ struct EyeState {
   double whiteLuminance = 1.0e4;  // shown as white, cd/m2
   double conePigment = 1.0;       // unbleached shares
   double rodPigment = 1.0;
+  double adaptedLuminance = 1.0e4;  // that its nerves have followed to, cd/m2
 };
 
 // Lowest luminance that can be seen, cd/m2.

@@ -9,6 +9,7 @@
 
 #include "document/paths.h"
 #include "photometry/magnitude.h"
+#include "photometry/naked_eye.h"
 #include "picture/picture_renderer.h"
 #include "scene/apparent_stars.h"
 #include "tests/support/gl_fixture.h"
@@ -19,15 +20,8 @@ namespace {
 
 using StarsAgainstSky = testsupport::GlTest;
 
-// Faintest star that an eye sees on a sky of cd/m2, in V: Hecht 1947 (JOSA 37, 59) as in Schaefer
-// 1990 (PASP 102, 212): illuminance in foot-candles for luminance B in nanolamberts.
 double nakedEyeLimit(double luminance) {
-  double const b = luminance / 3.183e-6;
-  bool const night = std::log10(b) < 3.17;
-  double const c = night ? std::pow(10.0, -9.80) : std::pow(10.0, -8.35);
-  double const k = night ? std::pow(10.0, -1.90) : std::pow(10.0, -5.90);
-  double const footCandles = c * std::pow(1.0 + std::sqrt(k * b), 2.0);
-  return -16.57 - 2.5 * std::log10(footCandles);
+  return magnitudeOfIlluminanceLux(faintestPointLux(luminance));
 }
 
 struct SeenStar {
@@ -56,19 +50,23 @@ struct SkyWithStars {
 
 // The zenith of Luxor, 60 degrees wide, in pixels of 4.6 to 6.2 minutes of arc. A star is shown
 // where it brightens a pixel of the displayed picture by three steps of 255.
-SkyWithStars skyAt(const std::string& time, PictureRenderer& renderer) {
+SkyWithStars skyAt(const std::string& time, PictureRenderer& renderer, bool eye = false) {
   Scene scene = readScene(configsFolder() / "scenes" / "luxor_dome.toml");
   scene.quality = "draft";
   scene.picture = {ProjectionKind::Perspective, 60.0 * degree, 640, 640};
   auto const placed = placeScene(scene, parseInstant(time, "test"), BodyCatalogue::standard(),
                                  Ephemeris::standard(), DeltaT::standard());
   auto const plan = makeRenderPlan(scene, placed);
-  auto const with = renderer.finish(scene, placed, plan);
+  scene.display.eye = eye;
+  EyeState state;
+  if (eye) state = steadyEye(renderer.meter(scene, placed, plan));
+  auto const with = renderer.finish(scene, placed, plan, eye ? &state : nullptr);
   Scene empty = scene;
   empty.display.limitingMagnitude = -5.0;
-  empty.display.automaticExposure = false;
+  if (!eye) empty.display.automaticExposure = false;
   empty.display.whiteLuminance = with.whiteLuminance;
-  auto const without = renderer.finish(empty, placed, makeRenderPlan(empty, placed));
+  auto const without =
+      renderer.finish(empty, placed, makeRenderPlan(empty, placed), eye ? &state : nullptr);
 
   SkyWithStars sky;
   std::vector<double> luminances;
@@ -121,6 +119,19 @@ TEST_F(StarsAgainstSky, ComeOutAsTheNakedEyeSeesThem) {
   std::sort(limits.begin(), limits.end());
   for (std::size_t i = 1; i < limits.size(); ++i)
     EXPECT_LT(limits[i].second, limits[i - 1].second) << limits[i].first << " cd/m2";
+}
+
+// An eye's picture of a dark sky shows no more than the eye sees.
+TEST_F(StarsAgainstSky, AnEyeHasItsOwnLimit) {
+  PictureRenderer renderer(testsupport::greyMap);
+  for (const char* time : {"2027-08-02T17:08:00Z", "2027-08-02T17:20:00Z"}) {
+    SkyWithStars const sky = skyAt(time, renderer, true);
+    double const shown = sky.limit(), eye = nakedEyeLimit(sky.luminance);
+    std::printf("%s sky %.3g cd/m2: an eye's picture shows to V %.1f, naked eye to %.1f\n", time,
+                sky.luminance, shown, eye);
+    // Light goes within a magnitude of the threshold.
+    EXPECT_NEAR(shown, eye, 1.0) << time;
+  }
 }
 
 }  // namespace
