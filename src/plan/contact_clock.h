@@ -4,7 +4,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 
 #include "eclipse/drawing.h"
 #include "plan/eclipse_at_hand.h"
@@ -20,8 +19,5 @@ struct ContactClock {
 // Earth; else of the eclipse as a whole. `textSize` in pixels.
 ContactClock contactClock(const Scene& scene, const PlacedScene& placed,
                           const EclipseAtHand& eclipse, double textSize);
-
-// The corners of its panel in a picture.
-std::pair<glm::dvec2, glm::dvec2> clockPanel(const Projection& picture, double textSize);
 
 }  // namespace antumbra

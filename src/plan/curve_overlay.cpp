@@ -8,7 +8,7 @@
 #include <set>
 
 #include "eclipse/drawn_labels.h"
-#include "plan/contact_clock.h"
+#include "plan/clock_face.h"
 
 namespace antumbra {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "document/paths.h"
-#include "medium/medium.h"
+#include "plan/air_profile.h"
 
 namespace antumbra {
 namespace {
@@ -36,53 +36,6 @@ double radiusOfLevel(const Light& light, double level, double most) {
   }
   return 0.5 * (low + high);
 }
-
-// Scattering and extinction of a medium at one wavelength, 1/m, as straight lines between heights
-// that are dense near the ground; and what passes on straight ways to the Sun, within 1 %.
-class AirProfile {
- public:
-  AirProfile(const Medium& medium, Length wavelength) : top_(medium.topHeight.si) {
-    for (int i = 0; i < kHeights; ++i) {
-      Length const height(top_ * std::pow(double(i) / (kHeights - 1), 2.0) * 0.999999);
-      double scattering = 0.0;
-      for (auto const& c : medium.coefficientsAt(height, wavelength)) scattering += c.scattering.si;
-      both_.emplace_back(scattering, medium.extinctionAt(height, wavelength).si);
-    }
-  }
-  double top() const { return top_; }
-  // x: scattering, y: extinction.
-  glm::dvec2 at(double height) const {
-    double const x = std::sqrt(std::clamp(height / top_, 0.0, 1.0)) * (kHeights - 1);
-    auto const i = std::min(static_cast<std::size_t>(x), both_.size() - 2);
-    return glm::mix(both_[i], both_[i + 1], x - static_cast<double>(i));
-  }
-  // From a place at `radius` above a ground of radius `ground`, toward a Sun at `cosine` from the
-  // vertical.
-  double passed(double radius, double cosine, double ground) const {
-    double const nearest = radius * std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
-    if (cosine < 0.0 && nearest < ground) return 0.0;
-    double const highest = ground + top_;
-    double const from = radius * cosine, to = std::sqrt(highest * highest - nearest * nearest);
-    double depth = 0.0;
-    constexpr int kSteps = 48;
-    for (int i = 0; i < kSteps; ++i) {
-      // Dense at the lowest point of the way.
-      auto const place = [&](double u) {
-        return cosine >= 0.0 ? from + (to - from) * u * u
-                             : (u < 0.5 ? from * std::pow(1.0 - 2.0 * u, 2.0)
-                                        : to * std::pow(2.0 * u - 1.0, 2.0));
-      };
-      double const a = place(double(i) / kSteps), b = place(double(i + 1) / kSteps);
-      depth += at(std::hypot(0.5 * (a + b), nearest) - ground).y * (b - a);
-    }
-    return std::exp(-depth);
-  }
-
- private:
-  static constexpr int kHeights = 400;
-  double top_;
-  std::vector<glm::dvec2> both_;
-};
 
 }  // namespace
 
@@ -234,7 +187,7 @@ void ShadowTrial::findAirRays(const Projection& picture) {
       auto const root = [&](double radius) {
         return b * b - (glm::dot(o, o) - radius * radius) / dd;
       };
-      double const top = root(a + profile.top()), ground = root(a);
+      double const top = root(a + profile.topMetres()), ground = root(a);
       if (!(top > 0.0)) continue;
       double const first = std::max(0.0, -b - std::sqrt(top));
       bool const hits = ground > 0.0 && b < 0.0;
