@@ -50,7 +50,7 @@ std::string fileOfFrame(const std::string& pattern, int frame) {
   auto const end = pattern.find('d', start);
   std::string const width =
       end == std::string::npos ? "?" : pattern.substr(start + 1, end - start - 1);
-  if (width.find_first_not_of("0123456789") != std::string::npos)
+  if (width.size() > 3 || width.find_first_not_of("0123456789") != std::string::npos)
     throw InputError(fmt::format(
         "-o: found \"{}\"; allowed: a name with at most one %d or %0Nd for the frame's number",
         pattern));

@@ -70,10 +70,12 @@ SceneSession::SceneSession(const std::string& file, const SceneOverrides& o)
           fmt::format("--projection: found \"{}\"; allowed: perspective, fisheye, equirectangular",
                       o.projection));
     // A field that was meant for another projection says nothing about this one.
-    if (p.kind != before)
+    if (p.kind != before) {
       p.field = p.kind == ProjectionKind::Perspective ? 60.0 * degree
                 : p.kind == ProjectionKind::Fisheye   ? 180.0 * degree
                                                       : 360.0 * degree;
+      for (auto& keyframe : scene_.keyframes) keyframe.field.reset();
+    }
   }
   if (!o.quality.empty()) scene_.quality = o.quality;
   requireQuality(scene_.quality, o.quality.empty() ? scene_.file + ": quality" : "--quality");

@@ -128,6 +128,7 @@ class CommandLine(unittest.TestCase):
             self.refused(["render", scene, "-o", out, "--delta-t", value], "--delta-t", value)
         self.refused(["render", scene, "-o", out, "-o", out], "-o", "twice")
         self.refused(["render", scene, "-o", str(self.path / "a_%d_%d.png")], "at most one")
+        self.refused(["render", scene, "-o", str(self.path / "a_%99999999999d.png")], "%0Nd")
         self.refused(["paint"], "paint")
 
     def test_names_what_it_tried_without_a_device(self):
