@@ -8,6 +8,7 @@
 #include "eclipse/rays_to_sun.h"
 #include "eclipse/shadow_pair.h"
 #include "quantity/constants.h"
+#include "tests/support/larger.h"
 
 namespace antumbra {
 namespace {
@@ -73,7 +74,7 @@ TEST(OblateCaster, LightAndEdgesAgreeWithRays) {
           double const expected = exact(r);
           double const found = glsl::visibleSunlight(pair, law, start + outward * r).x;
           partial += expected > 0.02 && expected < 0.98;
-          worst = std::max(worst, std::fabs(found - expected));
+          worst = testsupport::larger(worst, std::fabs(found - expected));
           worstSphere = std::max(
               worstSphere,
               std::fabs(glsl::visibleSunlight(sphere, law, start + outward * r).x - expected));
@@ -86,8 +87,8 @@ TEST(OblateCaster, LightAndEdgesAgreeWithRays) {
           return half(
               [&](double r) { return glsl::visibleSunlight(p, law, start + outward * r).x; });
         };
-        edge = std::max(edge, std::fabs(by(pair) - there) * 1e-3);
-        sphereEdge = std::max(sphereEdge, std::fabs(by(sphere) - there) * 1e-3);
+        edge = testsupport::larger(edge, std::fabs(by(pair) - there) * 1e-3);
+        sphereEdge = testsupport::larger(sphereEdge, std::fabs(by(sphere) - there) * 1e-3);
       }
       std::printf(
           "%-24s %s light %.1e of the Sun (sphere %.2f), half-light edge %.3f km (sphere %.0f)\n",

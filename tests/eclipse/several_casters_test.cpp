@@ -7,6 +7,7 @@
 #include "eclipse/rays_to_sun.h"
 #include "eclipse/shadow_pair.h"
 #include "quantity/constants.h"
+#include "tests/support/larger.h"
 
 namespace antumbra {
 namespace {
@@ -55,7 +56,7 @@ double worstOver(int count, int skies, LimbDarkeningLaw named, double* worstMini
       least = std::min(least, one);
       product *= one;
     }
-    worst = std::max(worst, std::fabs(found - expected));
+    worst = testsupport::larger(worst, std::fabs(found - expected));
     *worstMinimum = std::max(*worstMinimum, std::fabs(least - expected));
     *worstProduct = std::max(*worstProduct, std::fabs(product - expected));
   }

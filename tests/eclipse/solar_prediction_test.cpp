@@ -12,6 +12,7 @@
 #include "eclipse/eclipse_search.h"
 #include "eclipse/local_circumstances.h"
 #include "tests/support/csv.h"
+#include "tests/support/larger.h"
 
 namespace antumbra {
 namespace {
@@ -27,7 +28,7 @@ class Differences {
  public:
   void add(double value) {
     sumOfSquares_ += value * value;
-    largest_ = std::max(largest_, std::fabs(value));
+    largest_ = testsupport::larger(largest_, std::fabs(value));
     ++count_;
   }
   double rms() const { return std::sqrt(sumOfSquares_ / std::max(count_, 1)); }

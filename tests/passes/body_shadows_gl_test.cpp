@@ -10,6 +10,7 @@
 
 #include "quantity/constants.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/larger.h"
 
 namespace antumbra {
 namespace {
@@ -63,7 +64,8 @@ TEST_F(BodyShadowsGlTest, TableFollowsTheClosedForm) {
     for (std::size_t i = 0; i < places.size(); ++i) {
       auto const expected = glsl::visibleSunlight(pair, law, glm::dvec3(places[i]));
       for (int k = 0; k < 4; ++k)
-        worst = std::max(worst, std::fabs(static_cast<double>(light[i][k]) / expected[k] - 1.0));
+        worst = testsupport::larger(
+            worst, std::fabs(static_cast<double>(light[i][k]) / expected[k] - 1.0));
     }
     std::printf("Moon at %.0f km: within %.2e of the light\n", moonDistance * 1e-3, worst);
     // The error of the table's linear steps along the axis, largest beside the umbra.
@@ -115,7 +117,7 @@ TEST_F(BodyShadowsGlTest, SeveralCastersHideTheUnionOfTheirDiscs) {
     shared += covering > 1;
     dark += expected.x == 0.0;
     for (int k = 0; k < 4; ++k)
-      worst = std::max(worst, std::fabs(static_cast<double>(light[i][k]) - expected[k]));
+      worst = testsupport::larger(worst, std::fabs(static_cast<double>(light[i][k]) - expected[k]));
   }
   std::printf("%d points behind several discs: within %.1e of the Sun\n", shared, worst);
   EXPECT_GT(shared, 300);

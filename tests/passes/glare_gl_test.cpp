@@ -9,6 +9,7 @@
 #include "shared/as_cpp.h"
 #include "tests/passes/sun_scene.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/larger.h"
 #include "tests/support/sky_picture.h"
 
 namespace antumbra {
@@ -156,7 +157,7 @@ TEST_F(GlareGlTest, NearTheSunTheHaloIsThatOfWhatIsVisible) {
           light += brightness;
         }
       double const want = sum / light * sun.illuminanceLux.y * visible.light.y;
-      worst = std::max(worst, std::fabs(picture.at(x, y).y / want - 1.0));
+      worst = testsupport::larger(worst, std::fabs(picture.at(x, y).y / want - 1.0));
     }
   std::printf("halo near a crescent: within %.3f\n", worst);
   EXPECT_LT(worst, 0.06);

@@ -7,6 +7,7 @@
 
 #include "tests/passes/sun_scene.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/larger.h"
 
 namespace antumbra {
 namespace {
@@ -39,10 +40,10 @@ TEST_F(SunOcclusionGlTest, AreaFollowsAMoonThatCrossesTheSun) {
         occlusion.ask(sun, plane, outlines);
         VisibleSun const seen = occlusion.wait();
         Expected const want = expectedFor(sun, ratio, std::hypot(x, miss));
-        worstArea = std::max(worstArea, std::fabs(seen.area - want.area));
-        worstLight = std::max(worstLight, std::fabs(seen.light.y - want.light));
+        worstArea = testsupport::larger(worstArea, std::fabs(seen.area - want.area));
+        worstLight = testsupport::larger(worstLight, std::fabs(seen.light.y - want.light));
         if (want.area > 1e-4 && want.area < 0.05)
-          worstThin = std::max(worstThin, std::fabs(seen.area / want.area - 1.0));
+          worstThin = testsupport::larger(worstThin, std::fabs(seen.area / want.area - 1.0));
         if (want.area == 0.0) {
           EXPECT_EQ(seen.area, 0.0);
           EXPECT_TRUE(seen.sources.empty());
@@ -113,7 +114,7 @@ TEST_F(SunOcclusionGlTest, MeshesCountWhereTheOutlinesKnowNothing) {
       return 0.5 + (std::asin(c) + c * std::sqrt(1.0 - c * c)) / std::numbers::pi;
     };
     double const want = 1.0 - (leftOf(right) - leftOf(left));
-    worst = std::max(worst, std::fabs(seen.area - want));
+    worst = testsupport::larger(worst, std::fabs(seen.area - want));
     EXPECT_EQ(analyticVisibleSun(plane, sun.law, {}).area, 1.0);
   }
   std::printf("mesh: area within %.5f of the disc\n", worst);

@@ -16,6 +16,7 @@
 #include "passes/sun.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/ground_window.h"
+#include "tests/support/larger.h"
 #include "tests/support/sky_picture.h"
 
 namespace antumbra {
@@ -133,9 +134,8 @@ TEST_F(EclipseContacts, VisibleFractionOfTheSunInView) {
             EXPECT_EQ(fraction[k], 0.0) << place.what << " " << t;
             continue;
           }
-          ASSERT_TRUE(std::isfinite(fraction[k])) << place.what << " " << t;
           double& largest = e > 1e-4 ? worst : worstOfThinnest;
-          largest = std::max(largest, std::fabs(fraction[k] / e - 1.0));
+          largest = testsupport::larger(largest, std::fabs(fraction[k] / e - 1.0));
         }
       }
       std::printf("%-26s %s: Sun in view within %.2e of the visible light, %.2e below 1e-4 of it\n",
@@ -170,8 +170,7 @@ TEST_F(EclipseContacts, VisibleFractionOnTheGround) {
       double const expected =
           expectedFraction(event, basis.radii(), site, t, LimbDarkeningLaw::None).x;
       double const fraction = window.at(0, 0) / full.at(0, 0);
-      ASSERT_TRUE(std::isfinite(fraction)) << place.what << " " << t;
-      worst = std::max(worst, std::fabs(fraction / expected - 1.0));
+      worst = testsupport::larger(worst, std::fabs(fraction / expected - 1.0));
     }
     std::printf("%-26s ground within %.2e of the visible light\n", place.what, worst);
     EXPECT_LT(worst, 2e-3) << place.what;

@@ -10,6 +10,7 @@
 #include "picture/picture_renderer.h"
 #include "quantity/constants.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/larger.h"
 
 namespace antumbra {
 namespace {
@@ -130,7 +131,7 @@ TEST_F(RingsInPictures, ShadeTheGlobeAsRaysToTheSunSay) {
           all += weight;
         }
       double const expected = light / all, found = with[i] / without[i];
-      worst = std::max(worst, std::fabs(found - expected));
+      worst = testsupport::larger(worst, std::fabs(found - expected));
       sum += std::fabs(found - expected);
       shaded += expected < 0.5;
       ++compared;
@@ -171,7 +172,7 @@ TEST_F(RingsInPictures, LieInTheShadowOfTheSpheroid) {
                                                    std::span(&globe, 1), law, 1e-4, 60);
         double const found = with[i] / without[i];
         EXPECT_NEAR(found, expected, 2e-3) << px << " " << py;
-        worst = std::max(worst, std::fabs(found - expected));
+        worst = testsupport::larger(worst, std::fabs(found - expected));
         dark += expected < 1e-6;
         partial += expected > 0.01 && expected < 0.99;
         ++compared;

@@ -11,6 +11,7 @@
 #include "picture/picture_renderer.h"
 #include "quantity/constants.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/larger.h"
 
 namespace antumbra {
 namespace {
@@ -174,7 +175,7 @@ TEST_F(TripleShadow, OverlappingShadowsHideTheUnion) {
       if (covering < 2) continue;
       ++shared;
       double const expected = visibleSunlight(pairs, law, point).x;
-      worst = std::max(worst, std::fabs(with.linear[i] / without.linear[i] - expected));
+      worst = testsupport::larger(worst, std::fabs(with.linear[i] / without.linear[i] - expected));
       productErr = std::max(productErr, std::fabs(product - expected));
     }
   std::printf("%d pixels behind both moons: within %.4f of sunlight (their product %.3f)\n", shared,

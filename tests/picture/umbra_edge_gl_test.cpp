@@ -23,6 +23,7 @@
 #include "eclipse/eclipse_search.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/ground_window.h"
+#include "tests/support/larger.h"
 
 namespace antumbra {
 namespace {
@@ -180,8 +181,7 @@ std::vector<glm::dvec2> edgesFromZero(int size, const std::function<double(int, 
 class Distances {
  public:
   void add(double pixels) {
-    ASSERT_TRUE(std::isfinite(pixels));
-    largest_ = std::max(largest_, pixels);
+    largest_ = testsupport::larger(largest_, pixels);
     sum_ += pixels * pixels;
     ++count_;
   }

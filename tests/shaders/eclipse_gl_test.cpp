@@ -10,6 +10,7 @@
 #include "gl/program.h"
 #include "quantity/constants.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/larger.h"
 
 namespace antumbra {
 namespace {
@@ -82,10 +83,10 @@ TEST_F(EclipseOnDevice, VisibleFractionsKeepRelativePrecision) {
     double uniform = glsl::visibleFractionUniform(discs);
     if (uniform < 1e-6) continue;
     ++compared;
-    worstUniform = std::max(worstUniform, std::fabs(answers[k].other.x / uniform - 1.0));
+    worstUniform = testsupport::larger(worstUniform, std::fabs(answers[k].other.x / uniform - 1.0));
     glm::dvec4 light = glsl::visibleFraction(discs, law_);
     for (int c = 0; c < 4; ++c) {
-      worstLimb = std::max(worstLimb, std::fabs(answers[k].light[c] / light[c] - 1.0));
+      worstLimb = testsupport::larger(worstLimb, std::fabs(answers[k].light[c] / light[c] - 1.0));
     }
     EXPECT_LT(std::fabs(answers[k].other.x / uniform - 1.0), 1e-3)
         << discs.excess / discs.sun << " " << discs.gap / discs.sun << " " << uniform;
@@ -119,10 +120,10 @@ TEST_F(EclipseOnDevice, LightAtPointsNearTheOriginIsPrecise) {
       glsl::ShadowPlace place = glsl::placeInShadow(pair, point);
       glsl::DiscPair discs = glsl::discsAt(pair, place.along, place.distance);
       double light = glsl::visibleSunlight(pair, law_, point).y;
-      worstLight = std::max(worstLight, std::fabs(answers[k].atPoint.y - light));
+      worstLight = testsupport::larger(worstLight, std::fabs(answers[k].atPoint.y - light));
       if (discs.gap < 2.0 * discs.sun) {
         worstGapMetres =
-            std::max(worstGapMetres, std::fabs(answers[k].other.y - discs.gap) * 3.7e8);
+            testsupport::larger(worstGapMetres, std::fabs(answers[k].other.y - discs.gap) * 3.7e8);
         partial += light > 0.0;
       }
       glsl::ConeCrossing crossing = glsl::crossPenumbra(pair, point - 1e9 * kRay, kRay);
@@ -130,8 +131,8 @@ TEST_F(EclipseOnDevice, LightAtPointsNearTheOriginIsPrecise) {
         // A grazing ray's crossings move far for little: compare the middle and the larger ones.
         double half = 0.5 * (crossing.second - crossing.first);
         double found = 0.5 * (answers[k].other.z + answers[k].other.w);
-        worstCrossing =
-            std::max(worstCrossing, std::fabs(found - 0.5 * (crossing.first + crossing.second)));
+        worstCrossing = testsupport::larger(
+            worstCrossing, std::fabs(found - 0.5 * (crossing.first + crossing.second)));
         if (half > 1e6) {
           EXPECT_NEAR(answers[k].other.z, crossing.first, 700.0);
           EXPECT_NEAR(answers[k].other.w, crossing.second, 700.0);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "passes/rings.h"
+#include "tests/support/larger.h"
 
 #define GLSL_AS_CPP
 #pragma GCC diagnostic push
@@ -38,7 +39,7 @@ TEST(Rings, ScatterOnceAsTheIntegralThroughTheLayer) {
             EXPECT_LT(found, 1e-8);
             continue;
           }
-          worst = std::max(worst, std::fabs(found / (0.25 * sum) - 1.0));
+          worst = testsupport::larger(worst, std::fabs(found / (0.25 * sum) - 1.0));
         }
   std::printf("single scattering within %.1e\n", worst);
   // The midpoint rule's own error in the deepest layer.
