@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "app/commands.h"
+#include "app/error_option.h"
 #include "app/sky_methods.h"
 #include "document/document.h"
 #include "document/paths.h"
@@ -114,19 +115,6 @@ std::vector<Length> readWavelengths(const std::string& text, const Medium& mediu
   if (wavelengths.empty())
     throw InputError("--wavelengths: found none; allowed: nanometres, separated by commas");
   return wavelengths;
-}
-
-double readError(std::string text) {
-  double scale = 1.0;
-  if (!text.empty() && text.back() == '%') {
-    text.pop_back();
-    scale = 0.01;
-  }
-  double const error = scale * parseNumber(text, "--stderr");
-  if (!(error >= 1e-5 && error <= 1.0))
-    throw InputError(fmt::format("--stderr: found {}{}; allowed: 0.001% to 100%", text,
-                                 scale == 1.0 ? "" : "%"));
-  return error;
 }
 
 // ratio=R,shift-km=S[,azimuth-deg=A]: the shadow's axis passes through a point of the observer's
@@ -257,7 +245,7 @@ void runSky(const Options& options) {
   if (options.luminance)
     (void)linearSrgbWeights(request.wavelengths);  // refuses what has no colour
   request.irradiance = options.irradiance;
-  request.tracing.relativeError = readError(options.error);
+  request.tracing.relativeError = errorOption(options.error, 1e-5, 1.0);
   long const seed = parseInteger(options.seed, "--seed");
   if (seed < 0) throw InputError(fmt::format("--seed: found {}; allowed: 0 or more", seed));
   request.tracing.seed = static_cast<uint64_t>(seed);

@@ -17,6 +17,7 @@
 #include <set>
 
 #include "app/commands.h"
+#include "app/error_option.h"
 #include "app/trade_front.h"
 #include "app/trade_sky_knobs.h"
 #include "app/trade_sky_meter.h"
@@ -163,16 +164,6 @@ void requirePreset(const std::string& name, const std::string& option,
                                  name, otherwise));
 }
 
-double errorOption(const std::string& text) {
-  std::string number = text;
-  bool const percent = !number.empty() && number.back() == '%';
-  if (percent) number.pop_back();
-  double const error = parseNumber(number, "--stderr") * (percent ? 0.01 : 1.0);
-  if (!(error >= 1e-4 && error <= 0.2))
-    throw InputError(fmt::format("--stderr: found {}; allowed: 0.01% to 20%", text));
-  return error;
-}
-
 void run(const Options& o) {
   requireTradeOutput(o.format, o.output);
   if (o.directions < 4 || o.directions > 4096)
@@ -180,7 +171,7 @@ void run(const Options& o) {
   if (o.repeats < 7 || o.repeats > 1000)
     throw InputError(fmt::format("--repeat: found {}; allowed: 7 to 1000", o.repeats));
   std::vector<AirView> views;
-  double const relativeError = errorOption(o.error);
+  double const relativeError = errorOption(o.error, 1e-4, 0.2);
   for (auto const& scene : o.scenes) {
     SceneSession const session(scene, o.overrides);
     views.push_back(airViewOf(session.at(0), static_cast<std::size_t>(o.directions)));

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/commands.h"
+#include "app/error_option.h"
 #include "app/processor_clock.h"
 #include "app/sky_methods.h"
 #include "app/trade_front.h"
@@ -22,7 +23,7 @@ namespace antumbra {
 namespace {
 
 struct Options {
-  std::string medium, quality = "balanced", error = "1", format = "table", output = "-";
+  std::string medium, quality = "balanced", error = "1%", format = "table", output = "-";
   std::vector<double> sunZeniths{35.0, 75.0};
   double ratio = 1.0515;
 };
@@ -156,9 +157,7 @@ std::vector<Point> pointsAround(const std::string& preset) {
 
 void run(const Options& o) {
   requireTradeOutput(o.format, o.output);
-  double const error = parseNumber(o.error, "--stderr");
-  if (!(error >= 0.1 && error <= 10.0))
-    throw InputError(fmt::format("--stderr: found {}; allowed: 0.1 to 10 (percent)", o.error));
+  double const error = errorOption(o.error, 1e-3, 0.1);
   if (!(o.ratio > 1.0 && o.ratio <= 1.2))
     throw InputError(
         fmt::format("--ratio: found {}; allowed: above 1 (total), up to 1.2", o.ratio));
@@ -172,14 +171,14 @@ void run(const Options& o) {
   auto cases = casesOf(o, medium);
   gl::HeadlessContext const context;
   gl::prepareContext();
-  TradeFront front("totality", "processor_ms", "radiance_mean_percent", error);
+  TradeFront front("totality", "processor_ms", "radiance_mean_percent", 100.0 * error);
   front.note("medium", medium.name);
   front.note("device", gl::describeDevice().renderer);
-  front.note("reference", fmt::format("path tracer, standard error {} %", o.error));
+  front.note("reference", fmt::format("path tracer, standard error {:g} %", 100.0 * error));
   front.note("around", o.quality);
   TradeProgress progress("totality", cases.size() + points.size());
   for (auto& c : cases) {
-    c.question.tracing.relativeError = 0.01 * error;
+    c.question.tracing.relativeError = error;
     auto const answer = skyMethods().at("reference")(
         c.question, [&](double share) { progress.at("reference", share); });
     for (auto const& e : c.question.irradiance ? answer.diffuse : answer.radiances)
@@ -220,7 +219,7 @@ void addTradeTotality(CLI::App& trade) {
   command->add_option("--sun-zenith", o->sunZeniths, "Degrees (default 35 75)");
   command->add_option("--ratio", o->ratio, "Angular radii, Moon over Sun (default 1.0515)");
   command->add_option("--quality", o->quality, "Preset about which knobs are turned (balanced)");
-  command->add_option("--stderr", o->error, "Standard error of the reference, percent (default 1)");
+  command->add_option("--stderr", o->error, "Standard error of the reference (default 1%)");
   command->add_option("--format", o->format, "table, csv or json");
   command->add_option("-o,--output", o->output, "File instead of standard output");
   command->footer(

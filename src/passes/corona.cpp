@@ -5,6 +5,7 @@
 
 #include "gl/view_block.h"
 #include "passes/sun.h"
+#include "plan/render_plan.h"
 
 namespace antumbra {
 

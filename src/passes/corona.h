@@ -32,8 +32,4 @@ class CoronaPass {
   gl::Program program_;
 };
 
-// Here the F corona has sunk to the zodiacal light, which is not drawn (about 0.02 cd/m2; faded
-// over the last third).
-inline constexpr double kCoronaEnd = 45.0;
-
 }  // namespace antumbra

@@ -4,7 +4,7 @@
 // Grids are computed (EclipsedSolver) at fixed nodes over what changes in the course of an eclipse
 // (eclipse/shadow_nodes.h), once each; an instant's grid is interpolated between the nodes around
 // it. So it depends on the shadow alone, not on what was drawn before, and costs no solution of its
-// own. What interpolation adds to the error: tests/passes/eclipsed_source_gl_test.cpp.
+// own. What interpolation adds to the error: tests/passes/eclipsed_sky_gl_test.cpp.
 #pragma once
 
 #include <array>

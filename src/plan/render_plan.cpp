@@ -247,10 +247,12 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
     p.name = b.body->name;
     p.centre = inCamera;
     p.bodyFromCamera = b.bodyFromIcrs * placed.cameraFromIcrs.inverse();
-    // The silhouette that hides the Sun is the one whose shadow is predicted.
+    // The silhouette that hides the Sun is the one whose shadow is predicted; the camera's own
+    // body keeps the radius above which its height counts.
     ShadowRadii const silhouette = convention.radiiOf(b.body->name, b.body->equatorialRadius);
-    p.equatorialRadius = silhouette.casterUmbra;
-    p.polarRadius = b.body->polarRadius * (silhouette.casterUmbra / b.body->equatorialRadius);
+    double const drawn = isAnchor ? 1.0 : silhouette.casterUmbra / b.body->equatorialRadius;
+    p.equatorialRadius = b.body->equatorialRadius * drawn;
+    p.polarRadius = b.body->polarRadius * drawn;
     p.sun = b.bodyFromIcrs(b.sunFromBody);
     p.angularRadius = radius;
     p.diameterPixels = diameter;
@@ -292,21 +294,21 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
             [](auto const& x, auto const& y) { return x.first > y.first; });
   for (auto& [distance, p] : discs) plan.bodies.push_back(std::move(p));
 
-  // The Sun is wholly hidden only where it and the bright part of its corona, to twelve of its
-  // radii, lie behind one body's spheroid (its polar radius is the safe one).
+  // The Sun is wholly hidden only where it and its corona lie behind one body's spheroid (its polar
+  // radius is the safe one).
   for (auto const& b : plan.bodies) {
     Length const distance = norm(b.centre);
     if (distance >= plan.sun.distance) continue;
     Angle const disc = angularRadius(b.polarRadius, distance);
-    if (angleBetween(directionOf(b.centre), plan.sun.direction) + 12.0 * plan.sun.angularRadius <
+    if (angleBetween(directionOf(b.centre), plan.sun.direction) +
+            kCoronaEnd * plan.sun.angularRadius <
         disc) {
       plan.sun.hiddenByBody = true;
       plan.sun.hiddenBy = b.name;
     }
   }
-  // The corona is drawn to 45 solar radii (passes/corona.h).
   bool const nearPicture =
-      overlapsPicture(picture, plan.sun.direction, 45.0 * plan.sun.angularRadius);
+      overlapsPicture(picture, plan.sun.direction, kCoronaEnd * plan.sun.angularRadius);
   plan.drawSun = nearPicture && !plan.sun.hiddenByBody;
   if (plan.drawSun)
     plan.drawn.push_back({sun->body->name, plan.sun.inPicture

@@ -21,6 +21,10 @@ struct PlannedPoint {
   double colorIndexBv = 0.0;
 };
 
+// Solar radii. Here the F corona has sunk to the zodiacal light, which is not drawn (about
+// 0.02 cd/m2; faded over the last third).
+inline constexpr double kCoronaEnd = 45.0;
+
 struct PlannedSun {
   Direction<CameraAxes> direction;
   Angle angularRadius;
@@ -28,7 +32,7 @@ struct PlannedSun {
   Length radius;                // by the scene's convention
   Direction<CameraAxes> north;  // of its rotation
   bool inPicture = false;       // some of its disc falls into the picture
-  bool hiddenByBody = false;    // wholly behind a body
+  bool hiddenByBody = false;    // with all its corona
   std::string hiddenBy;
   PixelBounds bounds;  // of its disc
 };

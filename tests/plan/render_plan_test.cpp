@@ -1,6 +1,7 @@
 // The plan holds what a picture needs, says why, and leaves the rest out.
 #include "plan/render_plan.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -71,6 +72,31 @@ TEST(RenderPlan, NoQueryWithoutTheSunInTheView) {
   RenderPlan const night = planOf(shipped("luxor_dome"), "2027-08-02T22:05:06Z");
   EXPECT_FALSE(night.queryOcclusion);
   EXPECT_FALSE(night.drawSun);
+}
+
+// The corona goes on above the Moon's horizon until 45 solar radii (12 degrees) are below it.
+TEST(RenderPlan, TheCoronaSetsAfterTheSun) {
+  Scene const scene = onTheMoon();
+  int twilights = 0, nights = 0;
+  for (int hour = 0; hour < 24 * 30; hour += 6) {
+    RenderPlan const plan =
+        planOf(scene, fmt::format("2027-08-{:02d}T{:02d}:00:00Z", 1 + hour / 24, hour % 24));
+    ASSERT_FALSE(plan.bodies.empty());
+    Angle const fromNadir =
+        angleBetween(directionOf(plan.bodies.back().centre), plan.sun.direction);
+    double const depression = 90.0 - fromNadir / degree;
+    if (depression > 4.0 && depression < 11.5) {
+      EXPECT_FALSE(plan.sun.hiddenByBody) << depression;
+      ++twilights;
+    }
+    if (depression > 12.5) {
+      EXPECT_TRUE(plan.sun.hiddenByBody) << depression;
+      EXPECT_FALSE(plan.drawSun) << depression;
+      ++nights;
+    }
+  }
+  EXPECT_GE(twilights, 4);
+  EXPECT_GE(nights, 20);
 }
 
 TEST(RenderPlan, NoShadowPairWithoutAnEclipse) {
