@@ -33,19 +33,21 @@ const std::vector<AirKnob>& airKnobs() {
   using Q = AirQuality;
   static const std::vector<AirKnob> all = [] {
     std::vector<AirKnob> list{
-        knob("wavelengths", &Q::wavelengths, {4, 8, 16}),
-        knob("orders", &Q::orders, {2, 3, 4, 5, 7, 10}),
+        knob("wavelengths", &Q::wavelengths, {4, 8}),
+        knob("orders", &Q::orders, {2, 3, 4, 5, 7}),
+        knob("degree", &Q::degree, {2, 3, 4, 5, 6}),
+        knob("haze_degree", &Q::hazeDegree, {4, 5, 6, 8}),
         knob("depth", "depth_width", &Q::depthWidth, "depth_height", &Q::depthHeight,
              {{64, 32}, {128, 32}, {256, 64}, {512, 128}}),
         knob("source", "source_width", &Q::sourceWidth, "source_height", &Q::sourceHeight,
-             {{48, 12}, {64, 16}, {96, 24}, {128, 32}, {160, 40}}),
+             {{48, 12}, {64, 16}, {96, 24}, {128, 32}}),
         knob("directions", "zenith_directions", &Q::zenithDirections, "azimuth_directions",
-             &Q::azimuthDirections, {{8, 4}, {12, 6}, {16, 8}, {20, 10}, {24, 12}}),
+             &Q::azimuthDirections, {{8, 4}, {12, 6}, {16, 8}, {20, 10}}),
         knob("source_samples", &Q::sourceSamples, {6, 8, 12, 16, 24}),
         knob("sky_samples", &Q::skySamples, {8, 12, 16, 24, 32}),
         knob("sky", "sky_width", &Q::skyWidth, "sky_height", &Q::skyHeight,
-             {{24, 64}, {32, 96}, {48, 128}, {64, 160}, {72, 192}, {96, 256}}),
-        knob("view_samples", &Q::viewSamples, {6, 8, 10, 12, 16, 24}),
+             {{24, 64}, {32, 96}, {48, 128}, {72, 192}}),
+        knob("view_samples", &Q::viewSamples, {4, 6, 8, 12, 16}),
         knob("ground_samples", &Q::groundSamples, {2, 3, 4, 5, 6, 8, 10}),
     };
     auto const bits = [](const Q& q) { return q.storage == AirStorage::Half ? 16 : 32; };
