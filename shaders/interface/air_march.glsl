@@ -460,21 +460,25 @@ float blurOf(AirLight light) {
 // The light of the whole way.
 AirLight lightAlong(AirRay ray, AirWay way, WayEnds ends, AirCuts cuts) {
   AirLight light = marchAlong(ray, way, ends, cuts);
-#ifdef AIR_JOINED
-  float blur = blurOf(light);
-  for (int layer = 0; layer < AIR_LAYERS; ++layer)
-    for (int c = 0; c < AIR_PEAKED; ++c)
-      light.joint[layer] += light.peaked[layer * AIR_PEAKED + c] *
-                            phaseOf(AIR_SMOOTH + c, layer, ray.sunAlong, blur);
-#endif
 #ifdef AIR_NORMALISED
   // What the samples take away is what is missing in the end: no order brighter than the one before,
   // however coarse the steps are in thick air.
   for (int layer = 0; layer < AIR_LAYERS; ++layer) {
     vec4 depth = depthOfWay(ends, layer);
     vec4 missing = mix(depth, 1.0 - exp(-depth), greaterThan(depth, vec4(1e-3)));
-    light.joint[layer] *= missing / max(light.taken[layer], max(1e-4 * missing, vec4(1e-30)));
+    vec4 right = missing / max(light.taken[layer], max(1e-4 * missing, vec4(1e-30)));
+    light.joint[layer] *= right;
+#ifdef AIR_SEPARATE
+    for (int c = 0; c < AIR_PEAKED; ++c) light.peaked[layer * AIR_PEAKED + c] *= right;
+#endif
   }
+#endif
+#ifdef AIR_JOINED
+  float blur = blurOf(light);
+  for (int layer = 0; layer < AIR_LAYERS; ++layer)
+    for (int c = 0; c < AIR_PEAKED; ++c)
+      light.joint[layer] += light.peaked[layer * AIR_PEAKED + c] *
+                            phaseOf(AIR_SMOOTH + c, layer, ray.sunAlong, blur);
 #endif
   return light;
 }

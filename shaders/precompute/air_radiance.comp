@@ -2,7 +2,9 @@
 // reflected once (AIR_SINGLE), or of the light of the previous order scattered once more (AIR_SOURCE).
 // Invocation (x, y): Sun's zenith angle and height; z: direction. Stored by spectral layer, then direction.
 #define AIR_BY_MOMENTS
+#ifndef AIR_NORMALISED
 #define AIR_NORMALISED
+#endif
 #include "interface/air_march.glsl"
 layout(local_size_x = 8, local_size_y = 4) in;
 layout(rgba32f, binding = 0) writeonly uniform image2DArray radiances;

@@ -25,7 +25,8 @@ constexpr double kThinHaze = 0.08;
 // that walks at random does, up to so many in all.
 constexpr double kOrdersPerSquare = 1.0;
 constexpr int kMostOrders = 20;
-constexpr int kPhaseLevels = 12;  // of blur by forward peaks
+constexpr double kThickAir = 3.0;  // vertical optical depth
+constexpr int kPhaseLevels = 12;   // of blur by forward peaks
 
 bool scatters(const Constituent& c) {
   return !c.scattering.isConstant() || c.scattering.at(550.0 * nanometre) > 0.0;
@@ -213,6 +214,14 @@ AirTables::AirTables(const Medium& medium, Length groundRadius,
     }
     turning = std::max(turning, depth);
   }
+  // In thick air steps are longer than light reaches: pictures, too, are held to what is missing.
+  double thickest = 0.0;
+  for (Length w : wavelengths_) {
+    double depth = 0.0;
+    for (std::size_t c = 0; c < medium.constituents.size(); ++c) depth += medium.opticalDepth(c, w);
+    thickest = std::max(thickest, depth);
+  }
+  if (thickest > kThickAir) definitions_.emplace_back("AIR_NORMALISED", "");
   // 0 orders mean single scattering, whatever the air.
   int const more = static_cast<int>(
       std::min(kOrdersPerSquare * turning * turning, static_cast<double>(kMostOrders)));

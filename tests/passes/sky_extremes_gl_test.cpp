@@ -8,8 +8,10 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <numbers>
 
 #include "atmosphere/single_scattering.h"
+#include "passes/gauss_legendre.h"
 #include "passes/sky_sampler.h"
 #include "tests/support/any_medium.h"
 #include "tests/support/gl_fixture.h"
@@ -126,6 +128,75 @@ TEST_F(SkyExtremesGlTest, FollowsTheIntegratorInAnyMedium) {
   EXPECT_LT(share(0.9), 0.20);
   std::printf("%zu radiances: half within %.2g %%, 90 %% within %.2g %%, 99 %% within %.2g %%\n",
               errors.size(), 100.0 * share(0.5), 100.0 * share(0.9), 100.0 * share(0.99));
+}
+
+// A furnace: air and ground that absorb nothing return all sunlight. The flux that leaves the top,
+// of every place and in every direction, and what passes the ground by unscattered, over that of
+// the sphere's cross section. Denser air keeps it less well: configs/quality/README.md.
+double returnedShare(const Medium& medium, const AirQuality& quality) {
+  Length const wavelength = 550.0 * nanometre;
+  double const ground = medium.radius.si, top = medium.topRadius().si;
+  SkySampler sampler(medium, {wavelength}, quality);
+  SkyRequest request;
+  request.altitude = medium.topHeight + 1e-6 * medium.topRadius();
+  request.wavelengths = {wavelength};
+  // Directions that sink, as places x of [0, 1]: below the horizon's zenith angle and above it.
+  auto const nodes = gaussLegendre(12);
+  constexpr int turns = 8;
+  double const edge = (ground / top) * (ground / top);  // sine squared of the horizon's nadir angle
+  std::vector<double> weights;
+  for (auto const& [from, to] : {std::pair{0.0, edge}, {edge, 1.0}})
+    for (auto const& node : nodes)
+      for (int turn = 0; turn < turns; ++turn) {
+        // Flux through the horizontal is pi times the mean over the sine squared.
+        double const x = static_cast<double>(node.x), square = from + (to - from) * x;
+        request.directions.push_back({Angle(std::numbers::pi - std::asin(std::sqrt(square))),
+                                      Angle(std::numbers::pi * (turn + 0.5) / turns)});
+        weights.push_back(std::numbers::pi * (to - from) * static_cast<double>(node.y) / turns);
+      }
+  double scattered = 0.0;
+  auto const places = gaussLegendre(10);
+  for (auto const& [from, to] : {std::pair{-1.0, 0.0}, {0.0, 1.0}})
+    for (auto const& place : places) {
+      double const cosine = from + (to - from) * static_cast<double>(place.x);
+      request.sunZenith = Angle(std::acos(cosine));
+      auto const radiances = sampler.sample(request);
+      double flux = 0.0;
+      for (std::size_t i = 0; i < weights.size(); ++i) flux += weights[i] * radiances[i];
+      scattered += 2.0 * (to - from) * static_cast<double>(place.y) * flux;
+    }
+  double passing = 0.0;
+  constexpr int rings = 400;
+  for (int i = 0; i < rings; ++i) {
+    double const b = ground + (top - ground) * (i + 0.5) / rings;
+    passing += transmittance(medium, {{b, 0.0, 2.0 * top}}, {{0.0, 0.0, -1.0}}, wavelength) * 2.0 *
+               b * (top - ground) / rings;
+  }
+  return scattered + passing / (top * top);
+}
+
+TEST_F(SkyExtremesGlTest, FurnaceReturnsAllLight) {
+  struct Case {
+    const char* name;
+    double radiusKm, topKm, scaleKm, g, depth;
+  };
+  for (auto const& c : {Case{"Earth, molecules", 6371.0, 100.0, 8.0, 0.0, 0.1},
+                        {"Earth, haze", 6371.0, 60.0, 1.2, 0.7, 0.5},
+                        {"thick, clear", 1000.0, 200.0, 30.0, 0.0, 0.3}}) {
+    Medium m;
+    m.radius = c.radiusKm * kilometre;
+    m.topHeight = c.topKm * kilometre;
+    m.groundAlbedo = Spectrum(1.0);
+    m.constituents.push_back(
+        {"gas", DensityProfile::exponential(c.scaleKm * kilometre),
+         Spectrum(c.depth / (c.scaleKm * 1e3)), Spectrum(0.0),
+         c.g == 0.0 ? PhaseFunction::rayleigh() : PhaseFunction::henyeyGreenstein(Spectrum(c.g))});
+    for (const char* preset : {"balanced"}) {
+      double const share = returnedShare(m, AirQuality::preset(preset));
+      std::printf("furnace %-18s %-9s %+.2f %%\n", c.name, preset, 100.0 * (share - 1.0));
+      EXPECT_NEAR(share, 1.0, 0.01) << c.name;
+    }
+  }
 }
 
 }  // namespace
