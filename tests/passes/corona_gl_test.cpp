@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "plan/render_plan.h"
 #include "shared/as_cpp.h"
 #include "tests/passes/sun_scene.h"
 #include "tests/support/gl_fixture.h"

@@ -9,6 +9,7 @@
 #include "passes/glare.h"
 #include "passes/stars.h"
 #include "passes/sun.h"
+#include "plan/render_plan.h"
 #include "tests/passes/sun_scene.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/sky_picture.h"
