@@ -38,6 +38,10 @@ const int kSparseDegree = 2;
 #endif
 #endif
 
+#if defined(AIR_HAZY) && !defined(AIR_VOLUME) && !defined(AIR_NORMALISED)
+#define AIR_NORMALISED
+#endif
+
 struct AirRay {
   float height;      // of its start, inside the air
   float rise;        // r mu at the start, m
@@ -376,8 +380,7 @@ AirCuts noCuts() {
   return cuts;
 }
 
-// The light of the whole way; with AIR_SEPARATE its peaks are still apart.
-AirLight marchAlong(AirRay ray, AirWay way, WayEnds ends, AirCuts cuts) {
+AirLight marchLegs(AirRay ray, AirWay way, WayEnds ends, AirCuts cuts) {
   AirShell shell = airShell();
   AirLight light = darkAir();
   vec4 phases[AIR_LAYERS * AIR_CONSTITUENTS];
@@ -449,6 +452,25 @@ AirLight marchAlong(AirRay ray, AirWay way, WayEnds ends, AirCuts cuts) {
 #endif
 }
 
+// The light of the whole way; with AIR_SEPARATE its peaks are still apart.
+AirLight marchAlong(AirRay ray, AirWay way, WayEnds ends, AirCuts cuts) {
+  AirLight light = marchLegs(ray, way, ends, cuts);
+#ifdef AIR_NORMALISED
+  // What the samples take away is what is missing in the end: no order brighter than the one before,
+  // however coarse the steps are in thick air.
+  for (int layer = 0; layer < AIR_LAYERS; ++layer) {
+    vec4 depth = depthOfWay(ends, layer);
+    vec4 missing = mix(depth, 1.0 - exp(-depth), greaterThan(depth, vec4(1e-3)));
+    vec4 share = missing / max(light.taken[layer], max(1e-4 * missing, vec4(1e-30)));
+    light.joint[layer] *= share;
+#ifdef AIR_SEPARATE
+    for (int c = 0; c < AIR_PEAKED; ++c) light.peaked[layer * AIR_PEAKED + c] *= share;
+#endif
+  }
+#endif
+  return light;
+}
+
 #ifdef AIR_BLURRED
 // The row of the phase functions with the blur of that light.
 float blurOf(AirLight light) {
@@ -460,19 +482,6 @@ float blurOf(AirLight light) {
 // The light of the whole way.
 AirLight lightAlong(AirRay ray, AirWay way, WayEnds ends, AirCuts cuts) {
   AirLight light = marchAlong(ray, way, ends, cuts);
-#ifdef AIR_NORMALISED
-  // What the samples take away is what is missing in the end: no order brighter than the one before,
-  // however coarse the steps are in thick air.
-  for (int layer = 0; layer < AIR_LAYERS; ++layer) {
-    vec4 depth = depthOfWay(ends, layer);
-    vec4 missing = mix(depth, 1.0 - exp(-depth), greaterThan(depth, vec4(1e-3)));
-    vec4 right = missing / max(light.taken[layer], max(1e-4 * missing, vec4(1e-30)));
-    light.joint[layer] *= right;
-#ifdef AIR_SEPARATE
-    for (int c = 0; c < AIR_PEAKED; ++c) light.peaked[layer * AIR_PEAKED + c] *= right;
-#endif
-  }
-#endif
 #ifdef AIR_JOINED
   float blur = blurOf(light);
   for (int layer = 0; layer < AIR_LAYERS; ++layer)

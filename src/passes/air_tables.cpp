@@ -382,7 +382,7 @@ void AirTables::buildDepths() {
   depths_ = gl::Texture::layers(GL_RGBA32F, quality_.depthWidth, quality_.depthHeight,
                                 hazy_ ? 2 * layers_ : layers_);
   auto const program = gl::Program::compute("precompute/air_depth.comp", definitions_);
-  QuadratureBlock const nodes(48);
+  QuadratureBlock const nodes(hazy_ ? 64 : 48);
   bind();
   nodes.bind();
   program.use();
