@@ -170,6 +170,7 @@ vec4 depthOfWay(WayEnds ends, int layer) {
 struct VolumePlace {
   vec3 at;
   float slab;
+  vec2 uneclipsed;
 };
 VolumePlace volumePlace(vec3 where, float height);
 vec4 volumeLight(VolumePlace place, int layer);

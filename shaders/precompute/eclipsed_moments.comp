@@ -19,6 +19,7 @@ layout(rgba32f, binding = 3) uniform image2DArray lastStep;  // by layer: of the
 layout(rgba32f, binding = 4) writeonly uniform image3D grid;
 layout(binding = 11) uniform sampler2DArray uneclipsed;  // by layer: mean, irradiance
 uniform int stage;
+#include "interface/uneclipsed_light.glsl"
 #endif
 #include "interface/air_directions.glsl"
 
@@ -64,12 +65,9 @@ void main() {
   m[7] *= 15.0 / (16.0 * kPi);
   m[8] *= 15.0 / (4.0 * kPi);
   m[9] *= 15.0 / (4.0 * kPi);
-  vec2 size = vec2(textureSize(uneclipsed, 0).xy);
-  float x = sourceColumn(sunSpan(airShape.z), cell.sunCosine);
-  vec2 place = vec2((x * (size.x - 1.0) + 0.5) / size.x, (float(index.z) + 0.5) / size.y);
+  vec2 place = uneclipsedPlace(cell.sunCosine, float(index.z));
   vec4 free[2];
-  for (int i = 0; i < 2; ++i)
-    free[i] = textureLod(uneclipsed, vec3(place, float(layer * 2 + i)), 0.0);
+  for (int i = 0; i < 2; ++i) free[i] = uneclipsedLight(place, layer, i);
   int slab = layer * ECLIPSED_QUANTITIES;
   if (stage == 1) {
     for (int i = 0; i < ECLIPSED_QUANTITIES; ++i) imageStore(first, ivec3(at, slab + i), m[i]);

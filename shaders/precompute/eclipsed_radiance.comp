@@ -16,7 +16,9 @@ uniform int firstDirection;
 #ifdef AIR_VOLUME
 // Of eclipsed_volume.comp: by direction from firstDirection on, layer and height.
 layout(binding = 13) uniform sampler3D volume;
+layout(binding = 11) uniform sampler2DArray uneclipsed;
 layout(binding = 12) uniform sampler2DArray held;
+#include "interface/uneclipsed_light.glsl"
 // Along a ray the direction keeps its number though the vertical turns by up to a few degrees.
 int direction, mirrored;
 
@@ -26,6 +28,9 @@ VolumePlace volumePlace(vec3 where, float height) {
   VolumePlace place;
   place.at = vec3((found.at.xy * (size - 1.0) + 0.5) / size, found.at.z);
   place.slab = float((found.side < 0.0 ? mirrored : direction) - firstDirection);
+  // A cell stands for its whole line along the axis, on the night side too: it gives the share.
+  place.uneclipsed = uneclipsedPlace(where.z * inversesqrt(dot(where, where)),
+                                     found.at.z * float(cellCount.z - 1));
   return place;
 }
 
@@ -33,7 +38,8 @@ vec4 volumeLight(VolumePlace place, int layer) {
   float heights = float(cellCount.z);
   float z = (place.slab * float(AIR_LAYERS) + float(layer)) * heights + 0.5 +
             place.at.z * (heights - 1.0);
-  return exp2(textureLod(volume, vec3(place.at.xy, z / float(textureSize(volume, 0).z)), 0.0));
+  return exp2(textureLod(volume, vec3(place.at.xy, z / float(textureSize(volume, 0).z)), 0.0) +
+              uneclipsedLight(place.uneclipsed, layer, 0));
 }
 
 // Irradiance of the ground by the light that the cells hold.
@@ -49,7 +55,10 @@ vec4 heldOnGround(vec3 where, int layer) {
     vec4 irradiance = texelFetch(held, ivec3(low + step_, index), 0);
     power += part.x * part.y * log2(max(irradiance, vec4(1e-30)));
   }
-  return exp2(power);
+  float sunCosine = where.z * inversesqrt(dot(where, where));
+  vec4 here = uneclipsedLight(uneclipsedPlace(sunCosine, 0.0), layer, 1);
+  vec4 sunlit = uneclipsedLight(uneclipsedPlace(abs(sunCosine), 0.0), layer, 1);
+  return exp2(power + here - sunlit);
 }
 #endif
 

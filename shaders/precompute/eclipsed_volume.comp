@@ -1,18 +1,23 @@
 // The light that the cells hold, scattered toward each of a run of directions: averaged over the
-// constituents by what each scatters there; binary logarithm. Density comes where rays are marched.
+// constituents by what each scatters there; binary logarithm over what the mean is there without the
+// eclipse. Density comes where rays are marched.
 #include "interface/eclipsed_air.glsl"
 #include "interface/eclipsed_cells.glsl"
 layout(local_size_x = 8, local_size_y = 4) in;
 layout(binding = 12) uniform sampler2DArray held;  // ten moments by layer; y: azimuth, then height
 layout(rgba32f, binding = 0) writeonly uniform image3D volume;
+layout(binding = 11) uniform sampler2DArray uneclipsed;
 uniform int firstDirection;
 #include "interface/air_directions.glsl"
+#include "interface/uneclipsed_light.glsl"
 
 void main() {
   ivec3 texel = ivec3(gl_GlobalInvocationID);
   if (texel.x >= cellCount.x || texel.y >= cellCount.y * cellCount.z) return;
   int height = texel.y / cellCount.y;
   float h = cellHeight(height);
+  float sunCosine = eclipsedCell(ivec3(texel.x, texel.y % cellCount.y, height)).sunCosine;
+  vec2 free = uneclipsedPlace(sunCosine, float(height));
   AirDirection look = airDirection(firstDirection + texel.z, horizonCosine(airShell(), h));
   float x = look.sine * cos(look.azimuth), y = look.sine * sin(look.azimuth), z = look.cosine;
   vec2 texels = densityTexels();
@@ -37,6 +42,6 @@ void main() {
     imageStore(volume,
                ivec3(texel.x, texel.y % cellCount.y,
                      (texel.z * AIR_LAYERS + layer) * cellCount.z + height),
-               log2(max(light, max(1e-3 * m[0], vec4(1e-30)))));
+               log2(max(light, max(1e-3 * m[0], vec4(1e-30)))) - uneclipsedLight(free, layer, 0));
   }
 }

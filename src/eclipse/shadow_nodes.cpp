@@ -6,7 +6,7 @@
 namespace antumbra {
 namespace {
 
-constexpr double kHeightScale = 0.25;  // rad
+constexpr double kHeightScale = 0.1;  // rad
 constexpr double kSunDistanceStep = 0.002, kPenumbraStep = 0.0005;
 
 double heightCoordinate(double axisShare, double step) {

@@ -22,12 +22,12 @@ struct ShadowNode {
   glsl::ShadowPair pair;
 };
 
-// Spacing of the lattices. In height: of asinh(p / 0.25), p the Sun's height in radians (below the
+// Spacing of the lattices. In height: of asinh(p / 0.1), p the Sun's height in radians (below the
 // horizon: acosh of the axis' distance over the radius, negative). In the umbra's radius at the
 // axis' foot: of asinh(radius / umbraScale).
 struct ShadowLattice {
-  double heightStep = 0.1208237;  // asinh(2 pi) / 21: the zenith is a node
-  double umbraStep = 0.15;
+  double heightStep = 0.3450787;  // asinh(5 pi) / 10: the zenith is a node
+  double umbraStep = 0.3;
   Length umbraScale{36e3};
 };
 

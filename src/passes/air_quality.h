@@ -31,11 +31,11 @@ struct AirQuality {
   int skyWidth = 48;           // texels of the sky table over half a turn of azimuth
   int skyHeight = 128;         // and over zenith angle
   int eclipseDistances = 26;   // cells of the grid about a shadow's axis: distances from it,
-  int eclipseAzimuths = 7;     // azimuths in half a turn,
+  int eclipseAzimuths = 5;     // azimuths in half a turn,
   int eclipseHeights = 8;      // heights
   int eclipseZeniths = 16;     // directions over which radiance is averaged there
-  int eclipseTurns = 10;       // in a whole turn
-  int eclipseSamples = 6;      // samples a part of a leg
+  int eclipseTurns = 8;        // in a whole turn
+  int eclipseSamples = 5;      // samples a part of a leg
   int eclipseOrders = 4;       // of scattering
   int eclipseSkySamples = 16;  // samples a part of a leg in the sky table
   bool operator==(const AirQuality&) const = default;
