@@ -12,6 +12,7 @@
 #ifndef INTERFACE_BODY_GLSL
 #define INTERFACE_BODY_GLSL
 #ifdef AIR
+#define AIR_FEW_HARMONICS
 #include "interface/air_march.glsl"
 #else
 #include "interface/air.glsl"

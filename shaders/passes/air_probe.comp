@@ -1,4 +1,5 @@
 // Radiance in a list of directions, by the functions that draw pictures.
+#define AIR_FEW_HARMONICS
 #include "interface/air_march.glsl"
 #ifdef AIR_SKY
 #include "interface/air_sky.glsl"

@@ -254,6 +254,7 @@ void run(const Options& o) {
   }
 
   TradeFront front("sky", "fill_units", "luminance_error_percent", noise);
+  front.alsoCost("delta_e2000");
   front.alsoCost("precompute_s");
   front.alsoCost("memory_mib");
   // The mean over directions that the reference knows is itself uncertain by this much.
