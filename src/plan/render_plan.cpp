@@ -15,8 +15,8 @@ namespace antumbra {
 namespace {
 
 // Air reaches no higher than this above any catalogued body's spheroid in units of its radius; only
-// used to enlarge rectangles and cones, so generous.
-constexpr double kAirReach = 0.06;
+// used to enlarge rectangles and cones, so generous. The highest, Titan's, ends at 0.195.
+constexpr double kAirReach = 0.2;
 // Below this diameter in pixels a body is a point of light.
 constexpr double kPointPixels = 0.5;
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
@@ -61,6 +62,34 @@ TEST(TradeSky, TellsWhatIsWrong) {
   EXPECT_THAT(tradeSky(sceneFile("saturn")), AllOf(HasSubstr("saturn.toml"), HasSubstr("air")));
   EXPECT_THAT(tradeSky(scene + " --repeat 3"), AllOf(HasSubstr("--repeat"), HasSubstr("7")));
   EXPECT_THAT(tradeSky(scene + " --size wide"), AllOf(HasSubstr("--size"), HasSubstr("wide")));
+}
+
+// configs/quality/front.json, which README shows: measured with the presets as they are, and they
+// are on the front. What does not depend on the machine is measured again.
+TEST(TradeSky, PresetsAreOnTheStoredFront) {
+  auto const file = configsFolder() / "quality" / "front.json";
+  auto const stored = nlohmann::json::parse(std::ifstream(file));
+  EXPECT_EQ(stored["complete"], true);
+  EXPECT_GT(stored["rows"].size(), 20u);
+  std::map<std::string, nlohmann::json> rows;
+  for (auto const& row : stored["rows"]) rows[row["point"]] = row;
+  std::string scenes;
+  for (std::string const name : {"day_sky", "dusk_sky", "whole_earth"})
+    scenes += sceneFile(name) + " ";
+  auto const found = nlohmann::json::parse(
+      tradeSky(scenes + "--size 64x36 --knobs none --format json --reference " +
+               (rootFolder() / "tests/authorities/trade_sky_reference.json").string()));
+  for (std::string const preset : {"draft", "balanced", "accurate"}) {
+    EXPECT_TRUE(rows.at(preset)["on_front"].get<bool>()) << preset;
+    EXPECT_EQ(stored["preset " + preset], found["preset " + preset]);
+  }
+  for (auto const& row : found["rows"]) {
+    auto const& known = rows.at(row["point"]);
+    // Rounding of floats; other drivers.
+    for (std::string const key : {"luminance_error_percent", "delta_e2000"})
+      EXPECT_NEAR(row[key].get<double>(), known[key].get<double>(), 0.05) << row["point"] << key;
+    EXPECT_NEAR(row["memory_mib"].get<double>(), known["memory_mib"].get<double>(), 0.01);
+  }
 }
 
 TEST(TradeSky, MeasuresTwoPointsAndKeepsTheReference) {

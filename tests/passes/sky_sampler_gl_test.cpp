@@ -48,6 +48,10 @@ std::string groupOf(const Row& r) {
   return r.viewZenith >= 110.0 ? "top down" : "top limb";
 }
 
+TEST(AirQuality, DefaultsAreThePresetBalanced) {
+  EXPECT_EQ(AirQuality{}, AirQuality::preset("balanced"));
+}
+
 TEST_F(SkySamplerGlTest, FollowsTheMonteCarloReference) {
   auto const medium = readMedium(catalogsFolder() / "atmospheres/reference_bruneton2017.toml");
   auto const rows = referenceRows();
