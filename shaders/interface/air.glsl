@@ -41,10 +41,10 @@ layout(std140, binding = 1) uniform Air {
   vec4 airAlbedoGreen[AIR_LAYERS];
   vec4 airAlbedoBlue[AIR_LAYERS];
 };
-// Gauss-Legendre nodes and weights on [0, 1].
+// Gauss-Legendre nodes and weights on [0, 1]: a set of many, then one of few.
 layout(std140, binding = 3) uniform Quadrature {
-  ivec4 nodeCount;  // x
-  vec4 nodes[64];   // position, weight
+  ivec4 nodeCount;  // x: of the many, y: of the few
+  vec4 nodes[128];  // position, weight
 };
 
 layout(binding = 2) uniform sampler2D airDensities;  // over sqrt(height/top), four a row; in

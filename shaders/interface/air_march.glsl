@@ -49,6 +49,11 @@ const int kDrawnDegree = AIR_DEGREE;
 #define AIR_NORMALISED
 #endif
 
+// One program for rays that take few samples, many, or some of both (air_geometry.glsl).
+#if defined(AIR_FEW_HARMONICS) && !defined(AIR_HAZY) && !defined(BODY_GROUND) && !defined(BODY_SKY)
+#define AIR_PASSAGE
+#endif
+
 struct AirRay {
   float height;      // of its start, inside the air
   float rise;        // r mu at the start, m
@@ -249,10 +254,10 @@ vec3 placeOnLeg(AirRay ray, AirLeg leg, float fromLow) {
   return ray.start + ray.direction * (leg.lowDistance + leg.sense * fromLow);
 }
 
-// Adds the light of the part u0..u1 of a leg. `before`: optical depth from the camera to a point is
+// Adds the light of the part u0..u1 of a leg, by the nodes from `first` to before `end`. `before`: optical depth from the camera to a point is
 // before - sense times the point's depth to the top along the leg. Where `sparse`, the source is
 // looked up at two heights only and is linear in the root of height between them.
-void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, bool sparse, vec4 before[AIR_LAYERS],
+void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, int first, int end, bool sparse, vec4 before[AIR_LAYERS],
               vec4 beforeTrue, vec4 phases[AIR_LAYERS * AIR_CONSTITUENTS], inout AirLight light) {
   AirShell shell = airShell();
   LegSpan span = legSpan(leg);
@@ -284,7 +289,7 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, bool sparse, vec4 befo
   }
 #endif
   // Loops test at their end: a software renderer runs the body once more where they test before it.
-  int n = 0;
+  int n = first;
   do {
     float u = mix(u0, u1, nodes[n].x);
     LegNode node = nodeOnLeg(leg, span, u);
@@ -374,7 +379,7 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, bool sparse, vec4 befo
     light.forward += peakedHere * 0.25 * max(dot(forward, vec4(1.0)), 0.0);
     light.forwardWeight += peakedHere;
 #endif
-  } while (++n < nodeCount.x);
+  } while (++n < end);
 }
 
 // Distances along a ray at which to begin a new set of samples; negative: none.
@@ -405,13 +410,15 @@ AirLight marchLegs(AirRay ray, AirWay way, WayEnds ends, AirCuts cuts) {
   {
 #if defined(BODY_SUNLIT) && !defined(AIR_HAZY)
     const bool sparse = true;
+    int first = nodeCount.x, end = nodeCount.x + nodeCount.y;
 #else
     const bool sparse = false;
+    int first = 0, end = nodeCount.x;
 #endif
     vec4 before[AIR_LAYERS];
     for (int layer = 0; layer < AIR_LAYERS; ++layer) before[layer] = -depthAt(ends.start, layer);
     vec4 beforeTrue = -depthAt(ends.start, trueLayer(0));
-    marchLeg(ray, way.legs[0], 0.0, 1.0, sparse, before, beforeTrue, phases, light);
+    marchLeg(ray, way.legs[0], 0.0, 1.0, first, end, sparse, before, beforeTrue, phases, light);
     return light;
   }
 #else
@@ -449,13 +456,27 @@ AirLight marchLegs(AirRay ray, AirWay way, WayEnds ends, AirCuts cuts) {
     float from = 0.0;
     for (int i = 0; i <= 4; ++i) {
       float to = i < 4 ? at[i] : 1.0;
-      if (to > from) marchLeg(ray, leg, from, to, false, before, beforeTrue, phases, light);
+      if (to > from) marchLeg(ray, leg, from, to, 0, nodeCount.x, false, before, beforeTrue, phases, light);
       from = to;
     }
 #else
-    marchLeg(ray, leg, 0.0, 1.0, false, before, beforeTrue, phases, light);
+    marchLeg(ray, leg, 0.0, 1.0, 0, nodeCount.x, false, before, beforeTrue, phases, light);
 #endif
   } while (++n < way.legCount);
+#ifdef AIR_PASSAGE
+  AirLeg sunk = way.legs[0];
+  float share = way.hitsGround ? fewSamplesShare(sunk.lowSunRise * (1.0 / shell.radius),
+                                                 sunk.lowRise * (1.0 / shell.radius)) : 0.0;
+  if (share > 0.0) {
+    AirLight few = darkAir();
+    vec4 before[AIR_LAYERS];
+    for (int layer = 0; layer < AIR_LAYERS; ++layer) before[layer] = -depthAt(ends.start, layer);
+    marchLeg(ray, sunk, 0.0, 1.0, nodeCount.x, nodeCount.x + nodeCount.y, true, before, vec4(0.0),
+             phases, few);
+    for (int layer = 0; layer < AIR_LAYERS; ++layer)
+      light.joint[layer] = mix(light.joint[layer], few.joint[layer], share);
+  }
+#endif
   return light;
 #endif
 }

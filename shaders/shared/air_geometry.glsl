@@ -250,4 +250,12 @@ Number blurRow(Number depth, Number last) {
 Number blurDepth(Number row, Number last) {
   return 0.25 * (exp(log(1.0 + 4.0 * kMostBlur) * row / last) - 1.0);
 }
+
+// Share of the light before the ground that comes from few samples, the rest from many: few where
+// the Sun stands high and the ground is seen from above, many toward the terminator and the limb,
+// with a smooth passage between. From the cosines, at the ground, of the zenith angles of the Sun
+// and the eye; whatever else a picture shows, a ray has the same share.
+Number fewSamplesShare(Number sunCosine, Number viewCosine) {
+  return smoothstep(0.12, 0.18, sunCosine) * smoothstep(0.12, 0.25, viewCosine);
+}
 #endif

@@ -115,7 +115,7 @@ SceneSession::Moment SceneSession::at(const Scene& scene, Duration offset) const
 
 std::vector<std::pair<std::string, std::string>> SceneSession::metadata(const Moment& m) const {
   const CameraPlacement& c = m.scene.camera;
-  return {
+  std::vector<std::pair<std::string, std::string>> list{
       {"antumbra:title", m.scene.title},
       {"antumbra:version", ANTUMBRA_VERSION},
       {"antumbra:time", formatIso(m.placed.when, TimeScale::Utc, deltaT_)},
@@ -130,6 +130,8 @@ std::vector<std::pair<std::string, std::string>> SceneSession::metadata(const Mo
                                           m.scene.shadows.limbDarkening)},
       {"antumbra:unit", "cd/m2 in linear sRGB channels (EXR)"},
   };
+  if (!m.plan.sky.empty()) list.push_back({"antumbra:sky", m.plan.sky.front().why});
+  return list;
 }
 
 }  // namespace antumbra

@@ -10,11 +10,14 @@
 #include "app/commands.h"
 #include "app/error_option.h"
 #include "app/sky_methods.h"
+#include "atmosphere/scaled_sphere.h"
 #include "document/document.h"
 #include "document/paths.h"
 #include "photometry/colour.h"
 #include "photometry/spectral_weights.h"
 #include "photometry/standard_spectra.h"
+#include "scene/body_catalogue.h"
+#include "scene/footing.h"
 
 namespace antumbra {
 namespace {
@@ -22,7 +25,8 @@ namespace {
 struct Options {
   std::string medium, altitudeKm = "0", sunZenith, directions, wavelengths, method = "reference",
                       sun = "point", albedo, units = "relative", seed = "1", sunDistanceAu = "1",
-                      error = "0.5%", format = "csv", occulter, limbDarkening = "hestroffer";
+                      error = "0.5%", format = "csv", occulter, limbDarkening = "hestroffer", body,
+                      latitude, sunAzimuth;
   bool irradiance = false, luminance = false;
 };
 
@@ -151,6 +155,30 @@ Direction<AirFrame> directionAt(double zenithDegrees, double azimuthDegrees) {
   return {{std::sin(z) * std::cos(a), std::sin(z) * std::sin(a), std::cos(z)}};
 }
 
+// The observer over a body's spheroid, in the sphere that stands for it: its height, the Sun and
+// the directions, which are given about the spheroid's normal, change a little.
+void placeOnSpheroid(const Options& options, double altitudeKm, const Body& body,
+                     SkyQuestion& request) {
+  double const latitude = within(options.latitude, "--latitude", -90.0, 90.0);
+  double const azimuth = within(options.sunAzimuth, "--sun-azimuth", -360.0, 360.0);
+  Footing const footing = footingOn(body, latitude * degree, 0.0 * degree, altitudeKm * kilometre);
+  auto const bodyFromEnu = footing.enuFromBody.inverse();
+  Angle const sunZenith = arcTangent(request.sun.toSun.u.x, request.sun.toSun.u.z);
+  auto const level = [&](Angle turn) { return azimuth * degree - turn; };
+  auto const enu = [&](Angle zenith, Angle turn) {
+    return Direction<Enu>{
+        {sin(zenith) * sin(level(turn)), sin(zenith) * cos(level(turn)), cos(zenith)}};
+  };
+  ScaledSphere const sphere(body.equatorialRadius, body.polarRadius, footing.fromCentre,
+                            bodyFromEnu(enu(sunZenith, Angle(0.0))));
+  request.medium.radius = request.groundRadius = sphere.radius();
+  request.camera = {{0.0, 0.0, (sphere.radius() + sphere.height()).si}};
+  request.sun.toSun = {{sin(sphere.sunZenith()), 0.0, cos(sphere.sunZenith())}};
+  for (auto& d : request.directions)
+    d = sphere(
+        bodyFromEnu(enu(arcTangent(std::hypot(d.u.x, d.u.y), d.u.z), arcTangent(d.u.y, d.u.x))));
+}
+
 void showProgress(double share) {
   int const width = 40, full = static_cast<int>(share * width);
   fmt::print(stderr, "\rsky [{:=<{}}{: <{}}] {:3.0f} %", "", full, "", width - full, 100.0 * share);
@@ -261,6 +289,18 @@ void runSky(const Options& options) {
         "--directions: found with --irradiance, which has none; allowed: one of the two");
   }
 
+  if (!options.body.empty()) {
+    if (options.latitude.empty() || options.sunAzimuth.empty())
+      throw InputError("--body: found without --latitude or --sun-azimuth; allowed: all three");
+    if (!options.occulter.empty())
+      throw InputError("--occulter: found with --body; allowed: one of the two");
+    placeOnSpheroid(options, altitudeKm, BodyCatalogue::standard().body(options.body, "--body"),
+                    request);
+  } else if (!options.latitude.empty() || !options.sunAzimuth.empty()) {
+    throw InputError(fmt::format("{}: found without --body; allowed: all three, or none",
+                                 options.latitude.empty() ? "--sun-azimuth" : "--latitude"));
+  }
+
   // Of the Sun at 1 au.
   double const sunlight =
       std::pow(within(options.sunDistanceAu, "--sun-distance-au", 0.01, 1000.0), -2.0);
@@ -292,7 +332,8 @@ void addSkyCommand(CLI::App& program) {
   sky->add_option(
       "--directions", options->directions,
       "file (or - for standard input): a header view_zenith_deg,rel_azimuth_deg, then a line "
-      "for each direction; azimuth 0 is towards the Sun, zenith above 90 looks down");
+      "for each direction; azimuth 0 is towards the Sun and grows counter-clockwise seen from "
+      "above, zenith above 90 looks down");
   sky->add_option(
       "--wavelengths", options->wavelengths,
       "nm, separated by commas; with --luminance by default those of the preset, or eight");
@@ -304,6 +345,12 @@ void addSkyCommand(CLI::App& program) {
                   "relative (radiance over the Sun's irradiance, 1/sr) or SI (W m-2 sr-1 nm-1)");
   sky->add_option("--sun-distance-au", options->sunDistanceAu,
                   "of the medium's body, for SI units and luminance; 1 by default");
+  sky->add_option("--body", options->body,
+                  "a body of catalogs/bodies on whose spheroid the observer is; altitude, zenith "
+                  "and azimuths are then about its normal (render --explain prints them)");
+  sky->add_option("--latitude", options->latitude, "with --body: geodetic, deg");
+  sky->add_option("--sun-azimuth", options->sunAzimuth,
+                  "with --body: from north through east, deg");
   sky->add_option("--seed", options->seed, "of the random numbers of the reference");
   sky->add_option("--stderr", options->error,
                   "standard error at which the reference stops, as 0.5%");

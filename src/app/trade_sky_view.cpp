@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "atmosphere/scaled_sphere.h"
 #include "document/input_error.h"
 #include "document/paths.h"
 #include "document/text_output.h"
@@ -98,17 +99,9 @@ AirView airViewOf(const SceneSession::Moment& moment, std::size_t count) {
   double const radius = body.equatorialRadius.si, height = std::max(body.cameraHeight.si, 0.01);
   q.camera = {{0.0, 0.0, radius + height}};
   q.groundRadius = body.equatorialRadius;
-  // As the passes have it: axes scaled along the pole, so that the body is a sphere.
-  glm::dvec3 const stretch(1.0, 1.0, body.equatorialRadius / body.polarRadius);
-  glm::dmat3 const& turn = body.bodyFromCamera.matrix;
-  glm::dvec3 const up = glm::normalize(stretch * (turn * -body.centre.m));
-  glm::dvec3 const sun = glm::normalize(stretch * body.sun.m);
-  double const sunCosine = glm::dot(up, sun);
-  glm::dvec3 level = sun - up * sunCosine;
-  if (glm::length(level) < 1e-9)
-    level = glm::cross(up, std::fabs(up.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0));
-  glm::dvec3 const sunward = glm::normalize(level), side = glm::cross(up, sunward);
-  view.sunZenith = arcTangent(glm::dot(sun, sunward), sunCosine);
+  ScaledSphere const sphere(body.equatorialRadius, body.polarRadius,
+                            body.bodyFromCamera(-body.centre), directionOf(body.sun));
+  view.sunZenith = sphere.sunZenith();
   double const sunDistance = glm::length(body.sun.m);
   view.illuminanceFactor = std::pow(astronomicalUnit.si / sunDistance, 2.0);
   q.sun.toSun.u = {sin(view.sunZenith), 0.0, cos(view.sunZenith)};
@@ -133,8 +126,7 @@ AirView airViewOf(const SceneSession::Moment& moment, std::size_t count) {
     auto const direction = view.picture.directionAt(fraction(kStepX) * view.picture.width,
                                                     fraction(kStepY) * view.picture.height);
     if (!direction) continue;
-    glm::dvec3 const scaled = glm::normalize(stretch * (turn * direction->u));
-    glm::dvec3 const own(glm::dot(scaled, sunward), glm::dot(scaled, side), glm::dot(scaled, up));
+    glm::dvec3 const own = sphere(body.bodyFromCamera(*direction)).u;
     if (glm::dot(own, q.sun.toSun.u) > cos(kFromSun) || !meetsAir(own)) continue;
     q.directions.push_back({own});
   }

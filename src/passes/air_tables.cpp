@@ -143,11 +143,16 @@ std::vector<glm::vec4> airBlockOf(const Medium* medium, const std::vector<Length
   return block;
 }
 
-QuadratureBlock::QuadratureBlock(int count) {
-  std::vector<glm::vec4> content(65, glm::vec4(0.0f));
-  auto const nodes = gaussLegendre(count);
-  std::copy(nodes.begin(), nodes.end(), content.begin() + 1);
-  content[0].x = std::bit_cast<float>(count);
+QuadratureBlock::QuadratureBlock(int many, int few) {
+  std::vector<glm::vec4> content(129, glm::vec4(0.0f));
+  auto next = content.begin() + 1;
+  for (int count : {many, few})
+    if (count) {
+      auto const nodes = gaussLegendre(count);
+      next = std::copy(nodes.begin(), nodes.end(), next);
+    }
+  content[0].x = std::bit_cast<float>(many);
+  content[0].y = std::bit_cast<float>(few);
   buffer_.write(std::span<const glm::vec4>(content));
 }
 

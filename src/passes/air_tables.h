@@ -47,10 +47,8 @@ class AirTables {
   void bind() const;
   int layers() const { return layers_; }
   int peakedCount() const { return peaked_; }
-  // Samples on the way to sunlit ground: more through haze.
   // Whether the medium holds haze enough for the knobs of haze.
   bool hazy() const { return hazy_; }
-  int groundSamples() const { return hazy_ ? quality_.viewSamples : quality_.groundSamples; }
   Length groundRadius() const { return groundRadius_; }
   Length top() const { return top_; }
   // Of the source table: no light comes from air whose Sun is lower.
@@ -98,7 +96,8 @@ class AirTables {
 // Binds Gauss-Legendre nodes to uniform block 3.
 class QuadratureBlock {
  public:
-  explicit QuadratureBlock(int count);
+  // Up to 64 of each.
+  explicit QuadratureBlock(int many, int few = 0);
   void bind() const { buffer_.bindUniform(3); }
 
  private:

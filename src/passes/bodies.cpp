@@ -96,7 +96,7 @@ struct BodiesPass::State {
   AirQuality quality;
   std::vector<Length> wavelengths;
   gl::Buffer vacuum;  // colours for bodies without air
-  QuadratureBlock viewNodes, groundNodes;
+  QuadratureBlock nodes;
   std::map<std::string, std::unique_ptr<AirTables>> airs;
   std::map<std::string, std::shared_ptr<RefractedShadowTable>> refractedShadows;
   std::map<std::string, gl::Texture> maps;
@@ -120,10 +120,7 @@ struct BodiesPass::State {
   }
 
   State(ImageSource source, const AirQuality& q)
-      : images(std::move(source)),
-        quality(q),
-        viewNodes(q.viewSamples),
-        groundNodes(q.groundSamples) {
+      : images(std::move(source)), quality(q), nodes(q.viewSamples, q.groundSamples) {
     wavelengths = defaultWavelengths(q.wavelengths);
     auto const block = airBlockOf(nullptr, wavelengths, 1.0 * metre, -0.5, Angle(0.00465), {}, {});
     vacuum.write(std::span<const glm::vec4>(block));
@@ -394,6 +391,7 @@ void BodiesPass::draw(const PlannedBody& body, const Projection& picture, glm::i
   if (!body.map.empty()) s.maps.at(body.map).bind(0);
   if (!body.waterMask.empty()) s.maps.at(body.waterMask).bind(1);
   if (!body.nightMap.empty()) s.maps.at(body.nightMap).bind(9);
+  s.nodes.bind();
   glEnable(GL_SCISSOR_TEST);
   glScissor(low.x, low.y, high.x - low.x, high.y - low.y);
   glEnable(GL_BLEND);
@@ -402,9 +400,6 @@ void BodiesPass::draw(const PlannedBody& body, const Projection& picture, glm::i
   for (std::size_t part = 0; part < kBodyParts; ++part) {
     auto const count = static_cast<GLsizei>(resident.tiles[part].size());
     if (!count) continue;
-    bool const few = part == std::size_t(BodyPart::Sunlit) &&
-                     !(!resident.air.empty() && s.airs.at(resident.air)->hazy());
-    (few ? s.groundNodes : s.viewNodes).bind();
     glVertexArrayVertexBuffer(s.vertexArray(), 0, resident.corners[part].id(), 0,
                               sizeof(glm::vec2));
     s.programs.at(resident.programs[part])

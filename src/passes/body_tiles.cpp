@@ -5,6 +5,8 @@
 #include <numbers>
 #include <optional>
 
+#include "shared/as_cpp.h"
+
 namespace antumbra {
 namespace {
 
@@ -104,10 +106,11 @@ BodyTiles bodyTiles(const Projection& picture, const PixelBounds& bounds,
     if (!direction) return std::nullopt;
     return scaledFromCamera * direction->u;
   };
-  // Sines of the Sun's height at both ends of a ray through the air to the ground; -1 where it does
-  // not meet any. The one at the upper end is taken as if at the ground, which is higher.
+  // Sines of the Sun's height at both ends of a ray through the air to the ground, and of the eye's
+  // at the ground; -1 where it does not meet any. The Sun's at the upper end is taken as if at the
+  // ground, which is higher.
   struct Lighting {
-    double ground, start;
+    double ground, start, eye;
   };
   auto const lightingOf = [&](const glm::dvec3& scaled) -> Lighting {
     glm::dvec3 const direction = glm::normalize(scaled);
@@ -115,12 +118,12 @@ BodyTiles bodyTiles(const Projection& picture, const PixelBounds& bounds,
     double const rise = glm::dot(camera, direction);
     double const square = height * (2.0 * radius + height);
     double const root = rise * rise - square;
-    if (rise >= 0.0 || root <= 0.0) return {-1.0, -1.0};
+    if (rise >= 0.0 || root <= 0.0) return {-1.0, -1.0, -1.0};
     double const distance = square / (std::sqrt(root) - rise);
     double const outside = (height - reach) * (2.0 * radius + height + reach);
     double const toTop = outside > 0.0 ? outside / (std::sqrt(rise * rise - outside) - rise) : 0.0;
     return {glm::dot(camera + direction * distance, sun) / radius,
-            glm::dot(camera + direction * toTop, sun) / (radius + reach)};
+            glm::dot(camera + direction * toTop, sun) / (radius + reach), std::sqrt(root) / radius};
   };
   struct Corner {
     std::optional<glm::dvec3> direction;
@@ -134,13 +137,15 @@ BodyTiles bodyTiles(const Projection& picture, const PixelBounds& bounds,
     for (int column = 0; column <= grid.columns; ++column) {
       auto const direction = off(std::min(bounds.x0 + column * size, bounds.x1),
                                  std::min(bounds.y0 + row * size, bounds.y1));
-      corners.push_back({direction, direction ? lightingOf(*direction) : Lighting{-1.0, -1.0}});
+      corners.push_back(
+          {direction, direction ? lightingOf(*direction) : Lighting{-1.0, -1.0, -1.0}});
     }
   auto const partOf = [&](int column, int row) -> std::optional<BodyPart> {
     int const x = bounds.x0 + column * size, y = bounds.y0 + row * size;
     std::optional<glm::dvec3> const middle =
         off(0.5 * (x + std::min(x + size, bounds.x1)), 0.5 * (y + std::min(y + size, bounds.y1)));
     double spread = 0.0, lowest = 1.0, highest = -1.0, highestStart = -1.0, lowestStart = 1.0;
+    double lowestEye = 1.0, highestEye = -1.0;
     for (auto const& [dx, dy] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
       Corner const& corner =
           corners[static_cast<std::size_t>((row + dy) * (grid.columns + 1) + column + dx)];
@@ -151,6 +156,8 @@ BodyTiles bodyTiles(const Projection& picture, const PixelBounds& bounds,
       highest = std::max(highest, corner.light.ground);
       lowestStart = std::min(lowestStart, corner.light.start);
       highestStart = std::max(highestStart, corner.light.start);
+      lowestEye = std::min(lowestEye, corner.light.eye);
+      highestEye = std::max(highestEye, corner.light.eye);
     }
     spread = kBulge * spread + pixel;
     double const away = angleBetween(*middle, -up);
@@ -158,10 +165,15 @@ BodyTiles bodyTiles(const Projection& picture, const PixelBounds& bounds,
     // Beyond the corners' extremes by half of their spread: they hold them but for curvature.
     if (away + spread < ground) {
       double const margin = 0.5 * (highest - lowest);
-      if (lowest - margin >= kSunlitSine) return BodyPart::Sunlit;
+      double const eyeMargin = 0.5 * (highestEye - lowestEye);
+      if (glsl::fewSamplesShare(lowest - margin, lowestEye - eyeMargin) == 1.0)
+        return BodyPart::Sunlit;
       bool const dark = highest + margin < nightSine &&
                         highestStart + 0.5 * (highestStart - lowestStart) < nightSine;
-      return dark ? BodyPart::Night : BodyPart::Dusk;
+      if (dark) return BodyPart::Night;
+      return glsl::fewSamplesShare(highest + margin, highestEye + eyeMargin) == 0.0
+                 ? BodyPart::Dusk
+                 : BodyPart::Both;
     }
     if (away - spread > ground) return reach > 0.0 ? std::optional(BodyPart::Air) : std::nullopt;
     return BodyPart::Both;

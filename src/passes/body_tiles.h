@@ -13,12 +13,11 @@
 
 namespace antumbra {
 
-// Sunlit: the Sun more than 7 degrees high everywhere. Night: neither the ground nor the air before
-// it receives any sunlight. Dusk: the other ground.
+// Ground alone: Sunlit, where every ray takes few samples (air_geometry.glsl, fewSamplesShare),
+// Dusk, where every ray takes many, and Night, where neither it nor the air before it receives any
+// sunlight. Both: what is neither, or shows ground and air.
 enum class BodyPart { Sunlit, Dusk, Night, Air, Both };
 inline constexpr std::size_t kBodyParts = 5;
-// The sine of the Sun's height below which ground is not sunlit: its air wants more samples.
-inline constexpr double kSunlitSine = 0.12;
 
 // Rectangles of each part, in pixels of the picture, as corners of triangles.
 using BodyTiles = std::array<std::vector<glm::vec2>, kBodyParts>;

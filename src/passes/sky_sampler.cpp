@@ -13,15 +13,14 @@
 #include "passes/air_sky.h"
 #include "passes/air_tables.h"
 #include "passes/body_shadows.h"
-#include "passes/body_tiles.h"
 #include "passes/eclipsed_source.h"
 #include "passes/gauss_legendre.h"
 
 namespace antumbra {
 namespace {
 
-struct Probe {                      // std430, passes/air_probe.comp
-  glm::vec4 ray, start, direction;  // direction.w: the sine of the Sun's height where ground is met
+struct Probe {  // std430, passes/air_probe.comp
+  glm::vec4 ray, start, direction;
 };
 
 // The ray in the sphere's own axes, or nothing where it misses the air.
@@ -43,14 +42,9 @@ std::optional<Probe> probeOf(const Medium& medium, const SkyRequest& request,
     rise = -std::sqrt(topRoot);
     height = top;
   }
-  double sunHeight = -1.0;
-  if (rise < 0.0 && groundRoot > 0.0) {
-    double const way = height * (2.0 * radius + height) / (std::sqrt(groundRoot) - rise);
-    sunHeight = (glm::dot(start, sun) + way * glm::dot(direction, sun)) / radius;
-  }
   return Probe{glm::vec4(height, rise, glm::dot(start, sun), glm::dot(direction, sun)),
                glm::vec4(glm::vec3(start), static_cast<float>(groundRoot)),
-               glm::vec4(glm::vec3(direction), static_cast<float>(sunHeight))};
+               glm::vec4(glm::vec3(direction), 0.0f)};
 }
 
 }  // namespace
@@ -76,7 +70,7 @@ struct SkyTables {
       : tables(given), first(0), count(wavelengths) {}
 
   std::vector<glm::vec4> run(const std::vector<Probe>& probes, const gl::Definitions& definitions,
-                             int samples) {
+                             const AirQuality& quality) {
     std::string key;
     for (auto const& [name, value] : definitions) key += name + "=" + value + ";";
     auto found = programs.find(key);
@@ -84,7 +78,7 @@ struct SkyTables {
       found =
           programs.emplace(key, gl::Program::compute("passes/air_probe.comp", definitions)).first;
     tables.bind();
-    QuadratureBlock const nodes(samples);
+    QuadratureBlock const nodes(quality.viewSamples, quality.groundSamples);
     nodes.bind();
     gl::Buffer in, out;
     in.write(std::span<const Probe>(probes));
@@ -164,30 +158,19 @@ std::vector<double> SkySampler::sample(const SkyRequest& request) {
       sky->second.update(tables, request.altitude, {0.0, 0.0, 1.0}, sun);
       sky->second.bind();
     }
-    // As pictures are drawn: ground, sunlit with the fewer samples, by programs of its own.
-    auto const kindOf = [&](const Probe& probe) -> std::string {
-      if (useTable || probe.ray.y >= 0.0f || probe.start.w <= 0.0f) return "";
-      return probe.direction.w >= static_cast<float>(kSunlitSine) ? "BODY_SUNLIT" : "BODY_DUSK";
-    };
-    for (std::string const kind : {"", "BODY_SUNLIT", "BODY_DUSK"}) {
-      std::vector<Probe> probes;
-      std::vector<std::size_t> whose;
-      for (std::size_t i = 0; i < request.directions.size(); ++i)
-        if (auto const probe = probeOf(s.medium, request, request.directions[i])) {
-          if (kindOf(*probe) != kind) continue;
-          probes.push_back(*probe);
-          whose.push_back(i);
-        }
-      if (probes.empty()) continue;
-      auto flags = definitions;
-      if (!kind.empty()) flags.emplace_back(kind, "");
-      auto const radiances = own.run(
-          probes, flags, kind == "BODY_SUNLIT" ? tables.groundSamples() : s.quality.viewSamples);
-      for (std::size_t p = 0; p < probes.size(); ++p)
-        for (std::size_t w = 0; w < own.count; ++w)
-          result[whose[p] * s.count + own.first + w] =
-              static_cast<double>(radiances[p * layers + w / 4][static_cast<int>(w % 4)]);
-    }
+    std::vector<Probe> probes;
+    std::vector<std::size_t> whose;
+    for (std::size_t i = 0; i < request.directions.size(); ++i)
+      if (auto const probe = probeOf(s.medium, request, request.directions[i])) {
+        probes.push_back(*probe);
+        whose.push_back(i);
+      }
+    if (probes.empty()) continue;
+    auto const radiances = own.run(probes, definitions, s.quality);
+    for (std::size_t p = 0; p < probes.size(); ++p)
+      for (std::size_t w = 0; w < own.count; ++w)
+        result[whose[p] * s.count + own.first + w] =
+            static_cast<double>(radiances[p * layers + w / 4][static_cast<int>(w % 4)]);
   }
   return result;
 }

@@ -9,6 +9,7 @@
 
 #include "eclipse/shadow_convention.h"
 #include "eclipse/shadow_pair.h"
+#include "geodesy/site.h"
 #include "photometry/magnitude.h"
 
 namespace antumbra {
@@ -169,6 +170,28 @@ std::string coronaReason(const Scene& scene, Instant when) {
                            : fmt::format(", {} invented prominences", sun.prominences));
 }
 
+// The options with which `antumbra sky` gives the light of the camera's own body and its air.
+void addSkyOptions(const Scene& scene, const PlacedScene& placed, RenderPlan& plan) {
+  PlacedBody const& anchor = placed.bodies[placed.anchor];
+  std::string const& medium = airOf(scene, *anchor.body);
+  if (medium.empty()) return;
+  auto const sun = horizontalFromEnu(placed.enuFromIcrs(directionOf(anchor.sunFromBody)));
+  plan.sky.push_back(
+      {"antumbra sky",
+       fmt::format(
+           "--medium catalogs/atmospheres/{}.toml --body {} --latitude {:.9g} "
+           "--altitude-km {:.9g} --sun-zenith {:.7f} --sun-azimuth {:.7f} "
+           "--sun-distance-au {:.9f} --sun disc --limb-darkening {} --method {} --luminance",
+           medium, anchor.body->name, scene.camera.latitude / degree,
+           scene.camera.height / kilometre, 90.0 - sun.altitude / degree, sun.azimuth / degree,
+           norm(anchor.sunFromBody) / astronomicalUnit, scene.shadows.limbDarkening,
+           scene.quality)});
+  for (auto const& body : plan.bodies)
+    if (body.name == anchor.body->name && !body.casters.empty())
+      plan.sky.push_back(
+          {"", fmt::format("without {}, which eclipses the Sun", body.casters.front().name)});
+}
+
 Reason toneMapReason(const Scene& scene) {
   DisplaySettings const& display = scene.display;
   if (display.eye)
@@ -279,6 +302,13 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
     p.nightLuminance = b.body->surface.nightLuminance;
     if (b.body->surface.mapMean) p.mapFactor = p.albedo / *b.body->surface.mapMean;
     p.lommelSeeliger = b.body->surface.scattering == Surface::Scattering::LommelSeeliger;
+    if (auto const plain = scene.surface.find(b.body->name); plain != scene.surface.end()) {
+      p.map = p.waterMask = p.nightMap = "";
+      p.albedo = glm::vec3(static_cast<float>(plain->second));
+      p.mapFactor = glm::vec3(1.0f);
+      p.nightLuminance = 0.0;
+      p.lommelSeeliger = false;
+    }
     p.casters = liveCasters(scene, b, convention, plan);
     p.phaseLight = phaseLight(*b.body, phaseAngle(b));
     addPlanetshine(placed, b, p);
@@ -309,15 +339,18 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
   }
   bool const nearPicture =
       overlapsPicture(picture, plan.sun.direction, kCoronaEnd * plan.sun.angularRadius);
-  plan.drawSun = nearPicture && !plan.sun.hiddenByBody;
+  bool const shown = scene.sun.drawn;
+  plan.drawSun = shown && nearPicture && !plan.sun.hiddenByBody;
   if (plan.drawSun)
     plan.drawn.push_back({sun->body->name, plan.sun.inPicture
                                                ? "its disc is in the picture"
                                                : "its corona reaches into the picture"});
   plan.queryOcclusion = plan.drawSun && plan.sun.inPicture && !scene.display.illustrative;
   plan.glareFromOutside =
-      !plan.sun.inPicture && !plan.sun.hiddenByBody && !scene.display.illustrative &&
+      shown && !plan.sun.inPicture && !plan.sun.hiddenByBody && !scene.display.illustrative &&
       angleBetween(plan.sun.direction, Direction<CameraAxes>{{0, 0, -1}}) < 90.0 * degree;
+
+  addSkyOptions(scene, placed, plan);
 
   std::set<std::string> media;
   for (auto const& b : plan.bodies) {
@@ -347,8 +380,9 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
     sunPassed = true;
   };
   if (!plan.drawSun)
-    plan.leftOut.push_back({"sun", plan.sun.hiddenByBody ? "wholly behind " + plan.sun.hiddenBy
-                                                         : "outside the picture"});
+    plan.leftOut.push_back({"sun", !shown ? "left out by the scene; its light stays"
+                                   : plan.sun.hiddenByBody ? "wholly behind " + plan.sun.hiddenBy
+                                                           : "outside the picture"});
   for (auto const& b : plan.bodies) {
     if (b.coversSunItself()) passSun();
     bool const rings = b.rings && !b.rings->bounds.empty();
@@ -366,7 +400,9 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
   if (plan.queryOcclusion)
     passes.push_back({"occlusion query", "the Sun's disc is in the picture and not wholly hidden"});
   else
-    plan.leftOut.push_back({"occlusion query", !plan.sun.inPicture ? "the Sun is not in the picture"
+    plan.leftOut.push_back({"occlusion query", !shown ? "the Sun is left out by the scene"
+                                               : !plan.sun.inPicture
+                                                   ? "the Sun is not in the picture"
                                                : plan.sun.hiddenByBody
                                                    ? "the Sun is wholly behind " + plan.sun.hiddenBy
                                                    : "the illustrative look has no glare"});
@@ -410,6 +446,7 @@ std::string explain(const RenderPlan& plan) {
   section("atmosphere tables", plan.tables);
   section("shadow pairs", plan.shadows);
   section("passes", plan.passes);
+  if (!plan.sky.empty()) section("the same air in numbers", plan.sky);
   section("left out", plan.leftOut);
   return out;
 }

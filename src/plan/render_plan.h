@@ -60,6 +60,7 @@ struct RenderPlan {
   std::vector<Reason> tables;   // atmosphere tables to have resident, by medium
   std::vector<Reason> shadows;  // live caster-receiver pairs
   std::vector<Reason> passes;   // in order
+  std::vector<Reason> sky;      // how `antumbra sky` is asked for the light of the camera's own air
   std::vector<Reason> leftOut;
 
   // After `picture`'s size has changed: every rectangle and size in pixels follows.

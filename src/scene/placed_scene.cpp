@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <GeographicLib/Geocentric.hpp>
 #include <cmath>
 
 #include "ephemeris/apparent.h"
 #include "frame/body_rotation.h"
 #include "quantity/constants.h"
+#include "scene/footing.h"
 
 namespace antumbra {
 namespace {
@@ -16,24 +16,6 @@ namespace {
 Rotation<BodyFixed, Icrs> axesOf(const Body& body, Instant when, const DeltaT& deltaT) {
   if (body.name == "Earth") return {itrsFromIcrs(when, deltaT).matrix};
   return bodyFixedFromIcrs(bodyRotation(body.name), when);
-}
-
-// A place on a body's spheroid and the east, north, up axes there.
-struct Footing {
-  Displacement<BodyFixed> fromCentre;
-  Rotation<Enu, BodyFixed> enuFromBody;
-};
-
-Footing footingOn(const Body& body, const CameraPlacement& camera) {
-  double const a = body.equatorialRadius.si;
-  GeographicLib::Geocentric const spheroid(a, 1.0 - body.polarRadius.si / a);
-  double x = 0, y = 0, z = 0;
-  std::vector<double> m(9);
-  spheroid.Forward(camera.latitude / degree, camera.longitude / degree, camera.height / metre, x, y,
-                   z, m);
-  // GeographicLib's matrix is row-major and turns local (east, north, up) into body axes.
-  glm::dmat3 const bodyFromEnu{{m[0], m[3], m[6]}, {m[1], m[4], m[7]}, {m[2], m[5], m[8]}};
-  return {{{x, y, z}}, {glm::transpose(bodyFromEnu)}};
 }
 
 void refuseInside(const CameraPlacement& camera, const Body& body) {
@@ -120,7 +102,8 @@ PlacedScene placeScene(const Scene& scene, Instant when, const BodyCatalogue& ca
   placed.deltaT = deltaT.at(when);
   placed.deltaTSource = deltaT.explain(when).source;
 
-  Footing const footing = footingOn(anchor, scene.camera);
+  Footing const footing =
+      footingOn(anchor, scene.camera.latitude, scene.camera.longitude, scene.camera.height);
   refuseInside(scene.camera, anchor);
   auto const anchorAxes = axesOf(anchor, when, deltaT);
   placed.cameraOnAnchor = footing.fromCentre;

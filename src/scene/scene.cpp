@@ -142,6 +142,22 @@ std::map<std::string, std::string> readAir(const Table& table) {
   return air;
 }
 
+// Plain surfaces in place of the bodies' own.
+std::map<std::string, double> readSurface(const Table& table) {
+  std::map<std::string, double> surface;
+  for (auto const& key : table.keys()) {
+    Body const& body = BodyCatalogue::standard().body(key, table.where(key));
+    if (body.kind == "star")
+      table.fail(key, "a star has no lit surface; allowed: planets and moons");
+    double const albedo = table.number(key);
+    if (!(albedo >= 0.0 && albedo <= 1.0))
+      table.fail(key, fmt::format("found {}; allowed: an albedo from 0 to 1", albedo));
+    if (!surface.emplace(body.name, albedo).second)
+      table.fail(key, fmt::format("{} is named twice", body.name));
+  }
+  return surface;
+}
+
 // Monotone cubic (Fritsch & Carlson 1980) through the keyframes that give a value: smooth, and
 // never beyond the values it passes through.
 std::optional<double> interpolate(const std::vector<std::pair<int, double>>& points, int frame) {
@@ -225,6 +241,7 @@ Scene readScene(const Table& table) {
   }
   if (auto const overlays = table.tableIfPresent("overlays")) s.overlays = readOverlays(*overlays);
   if (auto const air = table.tableIfPresent("air")) s.air = readAir(*air);
+  if (auto const surface = table.tableIfPresent("surface")) s.surface = readSurface(*surface);
   if (auto const sun = table.tableIfPresent("sun")) s.sun = readSunSettings(*sun);
   if (auto const animation = table.tableIfPresent("animation")) {
     s.frames = static_cast<int>(animation->integer("frames"));

@@ -33,6 +33,8 @@
 //   [air]
 //   Earth = "earth_volcanic"                 # a medium of catalogs/atmospheres, or "none", in
 //                                            #   place of its own: seen, and bending light
+//   [surface]
+//   Earth = 0.3                              # grey and matt, of this albedo, in place of its maps
 //   [shadows]
 //   convention = "iau"                       # or "nasa": radii of Sun and Moon
 //   limb_darkening = "hestroffer"            # "neckel", "none"
@@ -114,6 +116,7 @@ struct Scene {
   OverlaySettings overlays;
   SunSettings sun;
   std::map<std::string, std::string> air;  // by body's name: medium, empty for none
+  std::map<std::string, double> surface;   // by body's name: albedo of a plain, matt surface
   std::string quality = "balanced";
   int frames = 1;
   std::vector<Keyframe> keyframes;

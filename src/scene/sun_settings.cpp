@@ -70,6 +70,7 @@ SunSettings readSunSettings(const Table& table) {
   s.prominences = static_cast<int>(table.integer("prominences", 0L));
   if (s.prominences < 0 || s.prominences > 24)
     table.fail("prominences", fmt::format("found {}; allowed: 0 to 24", s.prominences));
+  s.drawn = table.boolean("drawn", true);
   return s;
 }
 

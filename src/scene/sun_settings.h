@@ -4,6 +4,7 @@
 //   activity = 0.5      # phase of the solar cycle, 0 minimum to 1 maximum; default: of the date
 //   corona = "smooth"   # or "streamers": helmets and plumes, invented, about the measured mean
 //   prominences = 0     # count, 0 to 24, invented
+//   drawn = true        # false: neither its disc nor corona nor glare; its light stays
 #pragma once
 
 #include <optional>
@@ -17,6 +18,7 @@ struct SunSettings {
   std::optional<double> activity;
   bool streamers = false;
   int prominences = 0;
+  bool drawn = true;
 };
 
 SunSettings readSunSettings(const Table& table);

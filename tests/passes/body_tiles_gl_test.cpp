@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "shared/as_cpp.h"
+
 namespace antumbra {
 namespace {
 
@@ -33,6 +35,12 @@ std::pair<double, double> sunSines(const glm::dvec3& ray, double height, double 
     highest = std::max(highest, glm::dot(point, sun) / glm::length(point));
   }
   return {glm::dot(glm::normalize(camera + direction * end), sun), highest};
+}
+
+// Sine of the eye's height above the horizon of the ground that a ray meets.
+double eyeSine(const glm::dvec3& ray, double height) {
+  double const rise = (1.0 + height) * glm::normalize(ray).z;
+  return std::sqrt(rise * rise - height * (2.0 + height));
 }
 
 TEST(BodyTiles, HoldEveryPixelInAPartThatDrawsIt) {
@@ -76,8 +84,12 @@ TEST(BodyTiles, HoldEveryPixelInAPartThatDrawsIt) {
                     << "pixel " << x << ", " << y << " shows " << what << ", drawn as " << drawn;
                 if (what != 1) continue;
                 auto const [low, high] = sunSines(turn * direction->u, height, reach, sun);
+                double const few = glsl::fewSamplesShare(low, eyeSine(turn * direction->u, height));
                 if (drawn == int(BodyPart::Sunlit)) {
-                  ASSERT_GE(low, kSunlitSine) << "pixel " << x << ", " << y;
+                  ASSERT_EQ(few, 1.0) << "pixel " << x << ", " << y;
+                }
+                if (drawn == int(BodyPart::Dusk)) {
+                  ASSERT_EQ(few, 0.0) << "pixel " << x << ", " << y;
                 }
                 if (drawn == int(BodyPart::Night)) {
                   ASSERT_LT(high, kNightSine) << "pixel " << x << ", " << y;

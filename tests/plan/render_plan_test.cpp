@@ -181,6 +181,33 @@ TEST(RenderPlan, SceneChoosesTheAirThatIsSeenAndThatCasts) {
   EXPECT_TRUE(plan.tables.empty());
 }
 
+TEST(RenderPlan, SaysHowToAskForTheSameSky) {
+  Scene scene = shipped("luxor_dome");
+  auto const plan = planOf(scene, "2027-08-02T10:05:06Z");
+  ASSERT_EQ(plan.sky.size(), 2u);
+  // The Sun of Luxor at greatest eclipse: altitude 81.77, azimuth 196.1 deg (antumbra eclipse at).
+  EXPECT_THAT(
+      plan.sky[0].why,
+      testing::AllOf(HasSubstr("--medium catalogs/atmospheres/earth.toml"),
+                     HasSubstr("--body Earth --latitude 25.68"), HasSubstr("--sun-zenith 8.2"),
+                     HasSubstr("--sun-azimuth 19"), HasSubstr("--method balanced")));
+  EXPECT_THAT(plan.sky[1].why, HasSubstr("eclipses"));
+  EXPECT_TRUE(planOf(onTheMoon(), "2027-08-17T10:05:06Z").sky.empty());
+}
+
+TEST(RenderPlan, LeavesOutTheSunAndTheMapsWhereTheSceneSaysSo) {
+  Scene scene = shipped("luxor_dome");
+  scene.sun.drawn = false;
+  scene.surface["Earth"] = 0.25;
+  auto const plan = planOf(scene, "2027-08-02T09:05:06Z");
+  EXPECT_FALSE(plan.drawSun || plan.queryOcclusion || plan.glareFromOutside);
+  EXPECT_THAT(explain(plan), HasSubstr("left out by the scene"));
+  auto const& earth = plan.bodies.back();
+  EXPECT_EQ(earth.map + earth.waterMask + earth.nightMap, "");
+  EXPECT_EQ(earth.albedo, glm::vec3(0.25f));
+  EXPECT_FALSE(earth.casters.empty());  // its light is eclipsed all the same
+}
+
 TEST(RenderPlan, SaysHowTheCoronaAndTheDisplayCameAbout) {
   Scene scene = shipped("luxor_corona");
   std::string const corona = explain(planOf(scene, "2027-08-02T10:05:06Z"));

@@ -107,6 +107,24 @@ TEST(Scene, ReadsAndRefusesTheAirOfBodies) {
   EXPECT_THAT(refusal(base + "[air]\nEarth = \"earth\"\nearth = \"mars\"\n"), HasSubstr("twice"));
 }
 
+TEST(Scene, ReadsAndRefusesPlainSurfacesAndASunLeftOut) {
+  using testing::AllOf;
+  using testing::HasSubstr;
+  std::string const base = kHead + kCamera + kPicture;
+  Scene const s = parse(base + "[surface]\nearth = 0.3\n[sun]\ndrawn = false\n");
+  EXPECT_DOUBLE_EQ(s.surface.at("Earth"), 0.3);
+  EXPECT_FALSE(s.sun.drawn);
+  EXPECT_TRUE(parse(base).sun.drawn);
+  EXPECT_THAT(refusal(base + "[surface]\nEarth = 1.3\n"),
+              AllOf(HasSubstr("s.toml:15"), HasSubstr("1.3"), HasSubstr("0 to 1")));
+  EXPECT_THAT(refusal(base + "[surface]\nEarth = \"grey\"\n"), HasSubstr("s.toml:15"));
+  EXPECT_THAT(refusal(base + "[surface]\nErath = 0.3\n"),
+              AllOf(HasSubstr("Erath"), HasSubstr("Earth")));
+  EXPECT_THAT(refusal(base + "[surface]\nSun = 0.3\n"), HasSubstr("star"));
+  EXPECT_THAT(refusal(base + "[surface]\nEarth = 0.3\nearth = 0.2\n"), HasSubstr("twice"));
+  EXPECT_THAT(refusal(base + "[sun]\ndrawn = 0\n"), HasSubstr("s.toml:15"));
+}
+
 // Minima and maxima of the smoothed sunspot number (SILSO): December 2008, April 2014.
 TEST(SolarActivity, FollowsTheSunspotCycle) {
   auto const at = [](const char* time) { return solarActivity(parseInstant(time, "test")); };
