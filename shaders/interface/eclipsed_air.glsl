@@ -7,7 +7,7 @@
 //   1   irradiance of the horizontal over its value without the eclipse, binary logarithm
 //   2-9 harmonics over the mean radiance: z, x, y, (3 z^2 - 1)/2, x z, x^2 - y^2, y z, x y, with z
 //       up and x the horizontal part of `forward`
-// Several casters: their shares multiply; their harmonics add what each changes.
+// Several casters: what they leave together is in interface/eclipsed_union.glsl.
 #ifndef INTERFACE_ECLIPSED_AIR_GLSL
 #define INTERFACE_ECLIPSED_AIR_GLSL
 #include "interface/air.glsl"
@@ -32,6 +32,14 @@ struct EclipsedPlace {
 };
 
 float inverseSinh(float x) { return log(x + sqrt(x * x + 1.0)); }
+
+// The distance from the axis at a place x of the grid, 0 to 1.
+float eclipsedDistance(EclipsedAxis axis, float x) {
+  float scale = eclipsedShape.x, edge = eclipsedShape.z, umbra = max(axis.across.w, 0.0);
+  if (x <= edge) return umbra * x / edge;
+  return umbra + scale * sinh((x - edge) / (1.0 - edge) *
+                              inverseSinh((axis.side.w - umbra) / scale));
+}
 
 EclipsedPlace eclipsedPlace(int caster, vec3 scaled, float height) {
   EclipsedAxis axis = eclipsedAxes[caster];
@@ -60,14 +68,18 @@ vec4 eclipsedQuantity(int caster, EclipsedPlace place, int quantity, int layer) 
                          (slab + 0.5 + place.at.z * (heights - 1.0)) / size.z), 0.0);
 }
 
+#if ECLIPSED_SOURCE > 1
+#include "interface/eclipsed_union.glsl"
+#endif
+
 // What is left of the mean radiance (quantity 0) or of the sky's irradiance (1).
 vec4 eclipsedShare(vec3 scaled, float height, int quantity, int layer) {
-  vec4 power = vec4(0.0);
-  for (int caster = 0; caster < ECLIPSED_SOURCE; ++caster) {
-    EclipsedPlace place = eclipsedPlace(caster, scaled, height);
-    power += place.inside * eclipsedQuantity(caster, place, quantity, layer);
-  }
-  return exp2(power);
+#if ECLIPSED_SOURCE > 1
+  return exp2(eclipsedTogether(scaled, height, quantity, layer).power);
+#else
+  EclipsedPlace place = eclipsedPlace(0, scaled, height);
+  return exp2(place.inside * eclipsedQuantity(0, place, quantity, layer));
+#endif
 }
 
 // The parts of degree 1 and 2 of the light toward a direction, over the mean.

@@ -38,12 +38,7 @@ EclipsedCell eclipsedCell(ivec3 index) {
   EclipsedCell cell;
   cell.height = cellHeight(index.z);
   EclipsedAxis axis = eclipsedAxes[0];
-  float x = float(index.x) / float(cellCount.x - 1);
-  float scale = eclipsedShape.x, edge = eclipsedShape.z, umbra = max(axis.across.w, 0.0);
-  float distance = umbra * x / edge;
-  if (x > edge)
-    distance = umbra + scale * sinh((x - edge) / (1.0 - edge) *
-                                    inverseSinh((axis.side.w - umbra) / scale));
+  float distance = eclipsedDistance(axis, float(index.x) / float(cellCount.x - 1));
   float angle = kPi * float(index.y) / float(cellCount.y - 1);
   vec3 from = vec3(shadowPairs[0].foot.x + distance * cos(angle),
                    dot(axis.side.xyz, vec3(0.0, 1.0, 0.0)) * distance * sin(angle), 0.0);

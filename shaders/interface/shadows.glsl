@@ -57,11 +57,22 @@ float shadowLightScale(ShadowPair pair, ShadowTablePlace place, float exponent) 
 
 #include "interface/refracted_light.glsl"
 
+// Sunlight past one caster at a place within its penumbra, from the table.
+vec4 sunlightPast(int caster, ShadowTablePlace place, int layer) {
+  vec2 size = vec2(textureSize(shadowLight, 0).xy);
+  float column = place.inner < 1.0
+                     ? place.inner * float(SHADOW_INNER - 1)
+                     : float(SHADOW_INNER) + place.outer * (size.x - float(SHADOW_INNER + 1));
+  float row = clamp((1.0 + place.along / shadowScale.y) / 1.25, 0.0, 1.0) * (size.y - 1.0);
+  return shadowLightScale(shadowPairs[caster], place, shadowLaws[layer].exponent.y) *
+         textureLod(shadowLight, vec3((vec2(column, row) + 0.5) / size,
+                                      float(caster * AIR_LAYERS + layer)), 0.0);
+}
+
 // Visible share of sunlight at a point (scaled space, metres from the centre): the union of the
 // casters' discs where more than one covers a part of the Sun.
 vec4 visibleSunlight(vec3 scaled, int layer) {
   vec4 light = vec4(1.0);
-  vec2 size = vec2(textureSize(shadowLight, 0).xy);
 #ifdef SHADOWS_UNITED
   vec4 least = vec4(1.0);
   SunCover cover = noCover();
@@ -82,13 +93,7 @@ vec4 visibleSunlight(vec3 scaled, int layer) {
     // No shadow before the caster.
     if (pair.casterBehind + place.along < -pair.casterRadius) continue;
 #endif
-    float column = place.inner < 1.0
-                       ? place.inner * float(SHADOW_INNER - 1)
-                       : float(SHADOW_INNER) + place.outer * (size.x - float(SHADOW_INNER + 1));
-    float row = clamp((1.0 + place.along / shadowScale.y) / 1.25, 0.0, 1.0) * (size.y - 1.0);
-    vec4 past = shadowLightScale(pair, place, shadowLaws[layer].exponent.y) *
-                textureLod(shadowLight, vec3((vec2(column, row) + 0.5) / size,
-                                             float(caster * AIR_LAYERS + layer)), 0.0);
+    vec4 past = sunlightPast(caster, place, layer);
 #ifdef SHADOWS_UNITED
     if (place.umbra > 0.0 && place.outer <= 0.0) return vec4(0.0);
     vec3 toward = limbDirection(pair, where);

@@ -25,8 +25,9 @@ namespace {
 struct Options {
   std::string medium, altitudeKm = "0", sunZenith, directions, wavelengths, method = "reference",
                       sun = "point", albedo, units = "relative", seed = "1", sunDistanceAu = "1",
-                      error = "0.5%", format = "csv", occulter, limbDarkening = "hestroffer", body,
-                      latitude, sunAzimuth;
+                      error = "0.5%", format = "csv", limbDarkening = "hestroffer", body, latitude,
+                      sunAzimuth;
+  std::vector<std::string> occulters;
   bool irradiance = false, luminance = false;
 };
 
@@ -261,8 +262,12 @@ void runSky(const Options& options) {
   request.sun.toSun = directionAt(within(options.sunZenith, "--sun-zenith", 0.0, 180.0), 0.0);
   if (options.sun == "disc") request.sun.discRadius = kReferenceSolarRadius;
   request.sun.law = parseLimbDarkeningLaw(options.limbDarkening, "--limb-darkening");
-  if (!options.occulter.empty())
-    request.sun.occulters.push_back(readOcculter(options.occulter, request));
+  // More of them than a point unites (shaders/shared/several_casters.glsl) have no reference.
+  if (options.occulters.size() > static_cast<size_t>(glsl::kMostDiscs))
+    throw InputError(fmt::format("--occulter: found {} times; allowed: up to {} times",
+                                 options.occulters.size(), glsl::kMostDiscs));
+  for (auto const& text : options.occulters)
+    request.sun.occulters.push_back(readOcculter(text, request));
   if (options.wavelengths.empty()) {
     if (!options.luminance)
       throw InputError("--wavelengths: missing; it is required without --luminance");
@@ -292,7 +297,7 @@ void runSky(const Options& options) {
   if (!options.body.empty()) {
     if (options.latitude.empty() || options.sunAzimuth.empty())
       throw InputError("--body: found without --latitude or --sun-azimuth; allowed: all three");
-    if (!options.occulter.empty())
+    if (!options.occulters.empty())
       throw InputError("--occulter: found with --body; allowed: one of the two");
     placeOnSpheroid(options, altitudeKm, BodyCatalogue::standard().body(options.body, "--body"),
                     request);
@@ -356,9 +361,11 @@ void addSkyCommand(CLI::App& program) {
                   "standard error at which the reference stops, as 0.5%");
   sky->add_option("--format", options->format, "csv");
   sky->add_option(
-      "--occulter", options->occulter,
-      "ratio=R,shift-km=S[,azimuth-deg=A]: a Moon of R solar radii, seen from the point of the "
-      "horizontal plane S km away through which the shadow's axis passes");
+         "--occulter", options->occulters,
+         "ratio=R,shift-km=S[,azimuth-deg=A]: a Moon of R solar radii, seen from the point of the "
+         "horizontal plane S km away through which the shadow's axis passes; given up to six "
+         "times, as many Moons, and the union of their discs hides the Sun")
+      ->allow_extra_args(false);
   sky->add_option("--limb-darkening", options->limbDarkening, "hestroffer, neckel or none");
   sky->add_flag("--irradiance", options->irradiance, "direct and diffuse, of the horizontal plane");
   sky->add_flag("--luminance", options->luminance, "cd/m2 (or lx) and chromaticity x, y");

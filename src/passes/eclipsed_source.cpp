@@ -84,16 +84,23 @@ int EclipsedSource::update(const AirTables& tables, const std::vector<glsl::Shad
   }
   block.push_back(eclipsedShape(tables));
   block_.write(std::span<const glm::vec4>(block));
+  if (casters_ > 1) {
+    std::vector<glsl::ShadowPair> const held(pairs.begin(), pairs.begin() + casters_);
+    if (!union_) union_ = std::make_unique<EclipsedUnion>(tables, law_, held, flattening);
+    block_.bindUniform(9);
+    union_->update(tables, held);
+  }
   return computed;
 }
 
 void EclipsedSource::bind() const {
   block_.bindUniform(9);
   grid_.bind(10);
+  if (union_) union_->bind();
 }
 
 std::size_t EclipsedSource::bytes() const {
-  std::size_t sum = grid_.bytes();
+  std::size_t sum = grid_.bytes() + (union_ ? union_->bytes() : 0);
   for (auto const& [key, node] : nodes_) sum += node.grid.bytes();
   return sum;
 }

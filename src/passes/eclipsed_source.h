@@ -4,7 +4,8 @@
 // Grids are computed (EclipsedSolver) at fixed nodes over what changes in the course of an eclipse
 // (eclipse/shadow_nodes.h), once each; an instant's grid is interpolated between the nodes around
 // it. So it depends on the shadow alone, not on what was drawn before, and costs no solution of its
-// own. What interpolation adds to the error: tests/passes/eclipsed_sky_gl_test.cpp.
+// own. What interpolation adds to the error: tests/passes/eclipsed_sky_gl_test.cpp. What several
+// shadows leave together: eclipsed_union.h.
 #pragma once
 
 #include <array>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "passes/eclipsed_solver.h"
+#include "passes/eclipsed_union.h"
 
 namespace antumbra {
 
@@ -28,7 +30,7 @@ class EclipsedSource {
              double flattening);
   // Of the programs that look the grids up.
   gl::Definitions definitions() const;
-  // Uniform block 9, texture unit 10.
+  // Uniform block 9, texture unit 10, and 14 where there are several casters.
   void bind() const;
   std::size_t bytes() const;
   double seconds() const { return seconds_; }  // of all nodes computed so far
@@ -45,6 +47,7 @@ class EclipsedSource {
   int casters_;
   bool betweenNodes_;
   std::unique_ptr<EclipsedSolver> solver_;
+  std::unique_ptr<EclipsedUnion> union_;  // of several casters
   std::map<Key, Node> nodes_;
   gl::Program mix_;
   gl::Buffer block_;

@@ -121,6 +121,29 @@ TEST_F(SkyCommand, OccultedAxisHasNoDirectLight) {
   EXPECT_GT(diffuse, 0.0);
 }
 
+TEST_F(SkyCommand, SeveralOccultersHideTheSunByTheirUnion) {
+  std::string const base = "--medium " + mediumFile() +
+                           " --sun-zenith 35 --wavelengths 550 --irradiance --method single ";
+  std::string const left = "--occulter ratio=1.0515,shift-km=-900 ";
+  std::string const right = "--occulter ratio=1.0515,shift-km=900 ";
+  auto const direct = [&](const std::string& occulters) {
+    std::string const out = sky(base + occulters);
+    auto const row = out.find("550,");
+    return row == std::string::npos ? -1.0 : std::atof(out.c_str() + row + 4);
+  };
+  double const alone = direct(left);
+  EXPECT_GT(alone, 0.1);
+  EXPECT_NEAR(direct(left + left), alone, 3e-4);  // what the union's arcs are held to
+  // From either side the two discs, larger than the Sun, leave two cusps of it.
+  double const both = direct(left + right);
+  EXPECT_LT(both, 0.15 * alone);
+  EXPECT_GT(both, 0.0);
+  std::string seven;
+  for (int i = 0; i < 7; ++i) seven += right;
+  EXPECT_THAT(sky(base + seven), AllOf(HasSubstr("found 7 times"), HasSubstr("up to 6")));
+  EXPECT_THAT(sky(base + left + "--occulter ratio=1.05"), HasSubstr("shift-km= is missing"));
+}
+
 TEST_F(SkyCommand, BadInputNamesOptionFindingAndAllowance) {
   std::string const wave = "--sun-zenith 60 --wavelengths 550 --method single ";
   EXPECT_THAT(sky("--sun-zenith 60 --medium /nowhere.toml"), HasSubstr("/nowhere.toml"));
