@@ -13,7 +13,7 @@ layout(rgba16f, binding = 0) writeonly uniform image2DArray map;
 const int kRings = 6;
 const float kRadii[kRings] = float[](0.0, 0.05, 0.1, 0.23, 0.34, 0.65);
 const float kWeights[kRings] = float[](0.6, 0.327, 0.06, 0.003, 0.009, 0.001);
-const int kPoints[kRings] = int[](1, 8, 8, 12, 16, 16);
+const int kPoints[kRings] = int[](1, 6, 6, 8, 12, 12);
 
 vec4 past(int caster, vec3 scaled, int layer) {
   ShadowPair pair = shadowPairs[caster];

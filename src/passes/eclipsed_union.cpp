@@ -5,7 +5,7 @@
 namespace antumbra {
 namespace {
 
-constexpr int kDistances = 48, kAzimuths = 33;  // the last azimuth is the first one again
+constexpr int kDistances = 32, kAzimuths = 33;  // the last azimuth is the first one again
 
 gl::Definitions definitionsOf(const AirTables& tables, std::size_t casters) {
   auto d = tables.definitions();
