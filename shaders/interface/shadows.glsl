@@ -1,9 +1,13 @@
 // What eclipses the Sun at a point of the body in hand. Compiled out unless SHADOW_PAIRS, the number
-// of casters with a live shadow, is defined.
+// of casters with a live shadow, is defined. With CORONA_LIGHT the corona that the casters leave shines
+// too.
 #ifndef INTERFACE_SHADOWS_GLSL
 #define INTERFACE_SHADOWS_GLSL
 #ifdef SHADOW_PAIRS
 #include "shared/several_casters.glsl"
+#ifdef CORONA_LIGHT
+#include "shared/corona.glsl"
+#endif
 // Software renderers compute every branch: casters whose penumbras nowhere meet do without the union.
 #if SHADOW_PAIRS > 1 && !defined(SHADOWS_APART)
 #define SHADOWS_UNITED
@@ -13,6 +17,9 @@
 layout(std140, binding = 7) uniform Shadows {
   ShadowPair shadowPairs[SHADOW_PAIRS];
   vec4 shadowScale;  // x: polar over equatorial radius; y: greatest distance from the centre, m
+#ifdef CORONA_LIGHT
+  CoronaFit shadowCorona[SHADOW_PAIRS];
+#endif
 };
 // Visible light of the limb-darkened disc over shadowLightScale, caster times AIR_LAYERS layers; y:
 // along the axis, over the sunlit side of the body and a quarter of its radius beyond. The first
@@ -69,8 +76,19 @@ vec4 sunlightPast(int caster, ShadowTablePlace place, int layer) {
                                       float(caster * AIR_LAYERS + layer)), 0.0);
 }
 
+#ifdef CORONA_LIGHT
+// Binary logarithm of the corona's light past a caster, over the Sun's.
+float coronaPast(int caster, ShadowPlace where) {
+  float umbra = umbraRadiusAt(shadowPairs[caster], where);
+  float across = where.distance < umbra ? where.distance / umbra : 1.0;
+  float along = clamp((1.0 + where.along / shadowScale.y) / 1.25, 0.0, 1.0);
+  return coronaPastCaster(shadowCorona[caster], along, across * across);
+}
+#endif
+
 // Visible share of sunlight at a point (scaled space, metres from the centre): the union of the
-// casters' discs where more than one covers a part of the Sun.
+// casters' discs where more than one covers a part of the Sun, and the corona past the one whose umbra
+// leaves least of it (what others hide of it in partial phases, up to 0.4 of it, is left out).
 vec4 visibleSunlight(vec3 scaled, int layer) {
   vec4 light = vec4(1.0);
 #ifdef SHADOWS_UNITED
@@ -78,9 +96,15 @@ vec4 visibleSunlight(vec3 scaled, int layer) {
   SunCover cover = noCover();
   vec3 first = vec3(0.0);
 #endif
+#ifdef CORONA_LIGHT
+  float corona = 0.0;
+#endif
   for (int caster = 0; caster < SHADOW_PAIRS; ++caster) {
     ShadowPair pair = shadowPairs[caster];
     ShadowPlace where = placeInShadow(pair, scaled * vec3(1.0, 1.0, shadowScale.x));
+#ifdef CORONA_LIGHT
+    corona = min(corona, coronaPast(caster, where));
+#endif
 #ifdef REFRACTED_LIGHT
     if (refractedReach[caster].x > 0.0) {
       light *= refractedSunlight(caster, where, shadowScale.y, layer);
@@ -95,7 +119,10 @@ vec4 visibleSunlight(vec3 scaled, int layer) {
 #endif
     vec4 past = sunlightPast(caster, place, layer);
 #ifdef SHADOWS_UNITED
-    if (place.umbra > 0.0 && place.outer <= 0.0) return vec4(0.0);
+    if (place.umbra > 0.0 && place.outer <= 0.0) {
+      least = vec4(0.0);
+      continue;
+    }
     vec3 toward = limbDirection(pair, where);
     if (cover.count == 0) first = toward;
     if (cover.count == kMostDiscs) {
@@ -111,6 +138,9 @@ vec4 visibleSunlight(vec3 scaled, int layer) {
 #ifdef SHADOWS_UNITED
   if (cover.count > 1) least = min(least, visibleFractionOfUnion(cover, shadowLaws[layer]));
   light *= least;
+#endif
+#ifdef CORONA_LIGHT
+  light += vec4(exp2(corona));
 #endif
   return light;
 }

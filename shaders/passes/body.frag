@@ -8,6 +8,6 @@ layout(location = 0, index = 1) out vec4 transmittance;
 void main() {
   ViewRay view = viewRayOf(gl_FragCoord.xy);
   BodyLight body = bodyLight(view.direction);
-  light = vec4(body.light * view.inside, 1.0);
+  light = vec4(body.light * view.inside, 0.0);
   transmittance = mix(vec4(1.0), vec4(body.transmittance, 1.0), view.inside);
 }

@@ -73,6 +73,6 @@ void main() {
     sum[layer] = spectral / kPi;
     if (shaded) sum[layer] *= visibleFraction(discs, ringLaws[layer]);
   }
-  light = vec4(max(colourOf(sum), vec3(0.0)) * bodySun.w, 1.0);
+  light = vec4(max(colourOf(sum), vec3(0.0)) * bodySun.w, 0.0);
   transmittance = vec4(vec3(passed), 1.0);
 }

@@ -6,7 +6,7 @@
 
 uniform int finestSamples;   // along one side of a pixel at an edge
 
-out vec4 luminance;  // cd/m^2 in linear sRGB, added
+out vec4 luminance;  // cd/m^2 in linear sRGB, added; alpha: edgeMark
 
 void main() {
   vec3 middle = sunPlanePoint(viewRayOf(gl_FragCoord.xy).direction);
@@ -26,6 +26,7 @@ void main() {
   int samples = atLimb || free < 1.0 || size > 0.1 ? finestSamples : 1;
   float step = sqrt(abs(right.x * up.y - right.y * up.x)) / float(samples);
   vec3 sum = vec3(0.0);
+  float seen = 0.0;
   for (int j = 0; j < samples; ++j)
     for (int i = 0; i < samples; ++i) {
       vec2 offset = (vec2(float(i), float(j)) + 0.5) / float(samples) - 0.5;
@@ -40,8 +41,11 @@ void main() {
       vec2 ring = uncoveredBetween(point / max(d, 1e-9), from, to);
       float share = d + 0.5 * step > 1.0 ? (ring.y - ring.x) / step : uncoveredAt(point, step);
       if (ring.y <= ring.x) ring = vec2(from, to);
+      seen += share;
       if (share > 0.0) sum += photosphereBetween(law, ring).rgb * share;
     }
   float inside = viewRayOf(gl_FragCoord.xy).inside;
-  luminance = vec4(sunMeanLuminance * sum * (inside / float(samples * samples)), 0.0);
+  // From the limb on outward corona.frag marks the edges.
+  float mark = distance < 1.0 - size ? edgeMark(seen / float(samples * samples)) : 0.0;
+  luminance = vec4(sunMeanLuminance * sum * (inside / float(samples * samples)), mark);
 }

@@ -81,6 +81,10 @@ float uncoveredAt(vec2 point, float step) {
   return free;
 }
 
+// For the alpha of a pixel: what is added to 1 so that it becomes the share that the bodies leave free,
+// where an outline crosses it. The display shows both sides of such a pixel (display.frag).
+float edgeMark(float free) { return free > 0.0 ? free - 1.0 : 0.0; }
+
 // Brightness of the photosphere at a point, relative to the disc's mean: red, green, blue,
 // luminance.
 vec4 photosphereAt(LimbDarkening law, vec2 point) {

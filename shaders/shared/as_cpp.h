@@ -20,6 +20,7 @@ using InverseLength = double;
 using Position = glm::dvec3;
 using Direction = glm::dvec3;
 using Spectrum = glm::dvec4;
+using Coefficients = glm::dvec4;
 using Colour = glm::dvec3;
 using TableCoordinates = glm::dvec2;
 using Index = int;

@@ -19,7 +19,11 @@
 // al. 1968, ApJS 15, 275): an order of magnitude, spicules smoothed out.
 #ifndef SHARED_CORONA_GLSL
 #define SHARED_CORONA_GLSL
-#include "shared/quantities.glsl"
+#include "shared/eclipse_types.glsl"
+
+// Solar radii. Here the F corona has sunk to the zodiacal light, which is not drawn (about 0.02 cd/m^2;
+// faded over the last third).
+const Number kCoronaEnd = 45.0;
 
 const Number kChromosphereScale = 0.002156;  // 1500 km in solar radii
 // 1e5 cd/m^2 at the base over the 2.3e9 cd/m^2 of the disc's centre.
@@ -59,6 +63,19 @@ Number coronaBrightness(Number radius, Number sineLatitude, Number flattening) {
   Number e = index / (2.0 + index);
   Number cosDouble = 1.0 - 2.0 * sineLatitude * sineLatitude;
   return electronCorona(radius / (1.0 + e * cosDouble)) + dustCorona(radius);
+}
+
+// What is left of the corona where it goes over into the zodiacal light.
+Number coronaFade(Number radius) {
+  return 1.0 - smoothstep(kCoronaEnd * 2.0 / 3.0, kCoronaEnd, radius);
+}
+
+// Binary logarithm of the corona's light past a caster, as a share of the whole Sun's. `along`: place
+// along the shadow's axis, 0 to 1 over what the fit holds for; `across`: squared distance from the
+// axis over the umbra's radius there, 1 at its edge and beyond.
+Number coronaPastCaster(CoronaFit fit, Number along, Number across) {
+  Coefficients c = fit.constant + along * (fit.linear + along * fit.square);
+  return c.x + across * (c.y + across * (c.z + across * c.w));
 }
 
 // exp(-x) I0(x), the mean over a turn of exp(x (cos - 1)): Abramowitz & Stegun, 9.8.1 and 9.8.2, within

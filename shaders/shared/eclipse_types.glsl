@@ -59,6 +59,14 @@ struct ShadowPlace {
   Number stretch;   // reach of the Sun toward `away` over its radius: 1 for a spherical caster
 };
 
+// What a caster leaves of the corona's light about one receiver (corona.glsl; eclipse/corona_light.h
+// fills it): of each power of the place along the axis a polynomial of the place across it.
+struct CoronaFit {
+  Coefficients constant;
+  Coefficients linear;
+  Coefficients square;
+};
+
 // Discs before the Sun, in its radii and about its centre.
 const Index kMostDiscs = 6;
 struct SunCover {

@@ -11,6 +11,7 @@
 #define Position vec3       // m, in the frame that the parameter names
 #define Direction vec3      // unit vector
 #define Spectrum vec4       // one number for each of four wavelengths
+#define Coefficients vec4   // of a polynomial of the third degree, the constant first
 #define Colour vec3         // linear sRGB, cd/m^2 per channel or dimensionless
 #define TableCoordinates vec2 // texture coordinates in [0, 1]
 #define Index int

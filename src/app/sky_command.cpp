@@ -26,7 +26,7 @@ struct Options {
   std::string medium, altitudeKm = "0", sunZenith, directions, wavelengths, method = "reference",
                       sun = "point", albedo, units = "relative", seed = "1", sunDistanceAu = "1",
                       error = "0.5%", format = "csv", limbDarkening = "hestroffer", body, latitude,
-                      sunAzimuth;
+                      sunAzimuth, corona;
   std::vector<std::string> occulters;
   bool irradiance = false, luminance = false;
 };
@@ -268,6 +268,12 @@ void runSky(const Options& options) {
                                  options.occulters.size(), glsl::kMostDiscs));
   for (auto const& text : options.occulters)
     request.sun.occulters.push_back(readOcculter(text, request));
+  if (!options.corona.empty()) {
+    if (options.occulters.empty())
+      throw InputError("--corona: found without --occulter, past which it shines; allowed: both");
+    request.sun.corona = std::make_shared<CoronaLight>(within(options.corona, "--corona", 0.0, 1.0),
+                                                       request.sun.law);
+  }
   if (options.wavelengths.empty()) {
     if (!options.luminance)
       throw InputError("--wavelengths: missing; it is required without --luminance");
@@ -366,6 +372,10 @@ void addSkyCommand(CLI::App& program) {
          "horizontal plane S km away through which the shadow's axis passes; given up to six "
          "times, as many Moons, and the union of their discs hides the Sun")
       ->allow_extra_args(false);
+  sky->add_option(
+      "--corona", options->corona,
+      "phase of the solar cycle, 0 to 1, of a corona that shines past the occulter; none "
+      "by default");
   sky->add_option("--limb-darkening", options->limbDarkening, "hestroffer, neckel or none");
   sky->add_flag("--irradiance", options->irradiance, "direct and diffuse, of the horizontal plane");
   sky->add_flag("--luminance", options->luminance, "cd/m2 (or lx) and chromaticity x, y");

@@ -22,6 +22,7 @@ SkyRequest skyRequestOf(const SkyQuestion& question) {
   request.wavelengths = question.wavelengths;
   request.law = question.sun.law;
   request.casters = SunShadow(question.sun, question.wavelengths.front()).pairs();
+  request.corona = question.sun.corona;
   for (auto const& d : question.directions)
     request.directions.push_back(
         {arcTangent(std::hypot(d.u.x, d.u.y), d.u.z), arcTangent(d.u.y, d.u.x)});

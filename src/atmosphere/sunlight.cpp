@@ -36,7 +36,8 @@ Occulter occulterByRatio(double ratio, Length radius, Position<AirFrame> axisPoi
 }
 
 SunShadow::SunShadow(const Sunlight& sun, Length wavelength)
-    : law_(limbDarkening(sun.law, {wavelength, wavelength, wavelength, wavelength})) {
+    : law_(limbDarkening(sun.law, {wavelength, wavelength, wavelength, wavelength})),
+      corona_(sun.corona) {
   for (Occulter const& o : sun.occulters) {
     // The Sun stands beyond the occulter, so far that its rays are parallel.
     ShadowRadii const radii{Length(kSunDistance * std::sin(sun.occultedRadius / radian)), o.radius,
@@ -46,7 +47,12 @@ SunShadow::SunShadow(const Sunlight& sun, Length wavelength)
 }
 
 double SunShadow::visibleShare(const glm::dvec3& metres) const {
-  return visibleSunlight(pairs_, law_, metres).x;
+  double const disc = visibleSunlight(pairs_, law_, metres).x;
+  if (!corona_ || pairs_.empty()) return disc;
+  double least = corona_->whole();
+  for (auto const& pair : pairs_)
+    least = std::min(least, corona_->past(glsl::discsAt(pair, glsl::placeInShadow(pair, metres))));
+  return disc + least;
 }
 
 DiscProfile::DiscProfile(LimbDarkeningLaw law, Length wavelength)

@@ -3,8 +3,10 @@
 // parallax across the Earth is 8.8"); an occulter is a sphere at its true place.
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "eclipse/corona_light.h"
 #include "eclipse/limb_darkening.h"
 #include "quantity/quantity.h"
 #include "quantity/vector.h"
@@ -31,6 +33,8 @@ struct Sunlight {
   Angle occultedRadius = kReferenceSolarRadius;
   LimbDarkeningLaw law = LimbDarkeningLaw::Hestroffer;
   std::vector<Occulter> occulters;
+  // What shines past the occulters besides, from the Sun's direction; none: nothing.
+  std::shared_ptr<const CoronaLight> corona;
 };
 
 // The occulter of an eclipse by angles: seen from `axisPoint`, through which the shadow's axis
@@ -40,7 +44,7 @@ Occulter occulterByRatio(double ratio, Length radius, Position<AirFrame> axisPoi
                          const Sunlight& sun);
 
 // Share of the Sun's light at one wavelength that passes all occulters: what the union of their
-// discs leaves (eclipse/shadow_pair.h).
+// discs leaves (eclipse/shadow_pair.h), and the corona past the one that leaves least of it.
 class SunShadow {
  public:
   SunShadow(const Sunlight& sun, Length wavelength);
@@ -52,6 +56,7 @@ class SunShadow {
  private:
   std::vector<glsl::ShadowPair> pairs_;
   glsl::LimbDarkening law_;
+  std::shared_ptr<const CoronaLight> corona_;
 };
 
 // Directions over the disc with weights that sum to 1: a quadrature of `rings` by `spokes` nodes,

@@ -21,6 +21,9 @@ enum class LimbDarkeningLaw { Hestroffer, Neckel, None };
 // "hestroffer", "neckel" or "none". Throws InputError naming `where` and what is allowed.
 LimbDarkeningLaw parseLimbDarkeningLaw(std::string_view name, const std::string& where);
 
+// Effective wavelength of limb darkening in luminance (passes/sun_plane.h says how it was found).
+inline constexpr Length kSolarLuminanceWavelength = 558.0 * nanometre;
+
 // Intensity over that of the disc's centre: mu^exponent times the polynomial, at one wavelength.
 struct LimbProfile {
   double exponent = 0.0;

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "eclipse/corona_light.h"
 #include "eclipse/limb_darkening.h"
 #include "gl/decoded_image.h"
 #include "passes/air_quality.h"
@@ -28,6 +29,8 @@ class BodiesPass {
   struct Look {
     bool illustrative = false;  // flat colours in the shadows, lines of equal obscuration
     LimbDarkeningLaw law = LimbDarkeningLaw::Hestroffer;
+    // What lights what lies in shadows besides the Sun, or none.
+    std::shared_ptr<const CoronaLight> corona;
   };
   // `exact`: what belongs to an instant is computed for that very instant (off line); otherwise
   // the light of rings may be that of a slightly earlier one (live).

@@ -10,11 +10,13 @@ constexpr int kPlaces = 64 + 256, kAlong = 49;  // 64: SHADOW_INNER of interface
 }  // namespace
 
 BodyShadows::BodyShadows(const std::vector<glsl::ShadowPair>& pairs, double polarOverEquatorial,
-                         LimbDarkeningLaw law, const std::vector<Length>& wavelengths, Length reach)
+                         LimbDarkeningLaw law, const std::vector<Length>& wavelengths, Length reach,
+                         std::shared_ptr<const CoronaLight> corona)
     : count_(static_cast<int>(pairs.size())),
       layers_(static_cast<int>(wavelengths.size() / 4)),
       polarOverEquatorial_(polarOverEquatorial),
       reachMetres_(reach.si),
+      corona_(std::move(corona)),
       table_(gl::Texture::layers(GL_RGBA32F, kPlaces, kAlong, count_ * layers_)) {
   auto d = definitions();
   d.emplace_back("AIR_LAYERS", std::to_string(layers_));
@@ -31,7 +33,9 @@ BodyShadows::BodyShadows(const std::vector<glsl::ShadowPair>& pairs, double pola
 }
 
 gl::Definitions BodyShadows::definitions() const {
-  return {{"SHADOW_PAIRS", std::to_string(count_)}};
+  gl::Definitions d{{"SHADOW_PAIRS", std::to_string(count_)}};
+  if (corona_) d.emplace_back("CORONA_LIGHT", "");
+  return d;
 }
 
 void BodyShadows::update(const std::vector<glsl::ShadowPair>& pairs) {
@@ -42,6 +46,11 @@ void BodyShadows::update(const std::vector<glsl::ShadowPair>& pairs) {
   }
   for (double value : {polarOverEquatorial_, reachMetres_, 0.0, 0.0})
     block.push_back(static_cast<float>(value));
+  for (auto const& pair : pairs) {
+    if (!corona_) break;
+    auto const packed = packedForShader(corona_->fit(pair, Length(reachMetres_)));
+    block.insert(block.end(), packed.begin(), packed.end());
+  }
   block_.write(std::span<const float>(block));
   block_.bindUniform(7);
   laws_.bindUniform(8);

@@ -7,8 +7,10 @@
 // equator's side.
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "eclipse/corona_light.h"
 #include "eclipse/limb_darkening.h"
 #include "eclipse/shadow_pair.h"
 #include "gl/buffer.h"
@@ -21,11 +23,14 @@ class BodyShadows {
  public:
   // `pairs`: receiver-centred metres, body-fixed axes. `polarOverEquatorial`: of the receiver.
   // `wavelengths`: a multiple of four. `reach`: greatest distance from the receiver's centre at
-  // which light is asked for.
+  // which light is asked for. `corona`: what shines past the casters besides, or none.
   BodyShadows(const std::vector<glsl::ShadowPair>& pairs, double polarOverEquatorial,
-              LimbDarkeningLaw law, const std::vector<Length>& wavelengths, Length reach);
+              LimbDarkeningLaw law, const std::vector<Length>& wavelengths, Length reach,
+              std::shared_ptr<const CoronaLight> corona = {});
   // Geometry of a later instant.
   void update(const std::vector<glsl::ShadowPair>& pairs);
+  // Another corona for the next update; one where there was none needs other programs.
+  void setCorona(std::shared_ptr<const CoronaLight> corona) { corona_ = std::move(corona); }
   // Uniform blocks 7 and 8, texture unit 8.
   void bind() const;
   gl::Definitions definitions() const;
@@ -34,6 +39,7 @@ class BodyShadows {
  private:
   int count_, layers_;
   double polarOverEquatorial_, reachMetres_;
+  std::shared_ptr<const CoronaLight> corona_;
   gl::Program program_;
   gl::Buffer block_, laws_;
   gl::Texture table_;

@@ -5,7 +5,6 @@
 
 #include "gl/view_block.h"
 #include "passes/sun.h"
-#include "plan/render_plan.h"
 
 namespace antumbra {
 
@@ -15,7 +14,7 @@ CoronaPass::CoronaPass(ProjectionKind kind)
 bool CoronaPass::draw(const Projection& projection, const SunInView& sun, const SunPlane& plane,
                       std::span<const Silhouette> silhouettes, const CoronaLook& look,
                       glm::ivec2 tileOrigin) {
-  Angle const reach(std::atan(kCoronaEnd * plane.tangent()));
+  Angle const reach(std::atan(glsl::kCoronaEnd * plane.tangent()));
   if (!scissorToCap(projection, plane.centre(), reach, tileOrigin)) return false;
   blendAdditively();
   setSunPlane(program_, projection.kind, plane, sun.law, silhouettes);
@@ -25,7 +24,6 @@ bool CoronaPass::draw(const Projection& projection, const SunInView& sun, const 
   glm::dvec3 const centreLuminance = plane.meanLuminance() * centre.w;
   program_.set("flattening", static_cast<float>(glsl::flatteningOfActivity(look.activity)))
       .set("centreLuminance", glm::vec3(centreLuminance))
-      .set("fade", glm::vec2(kCoronaEnd * 2.0 / 3.0, kCoronaEnd))
       .set("streamers", look.streamers ? 1.0f : 0.0f)
       .set("activity", static_cast<float>(look.activity))
       .set("prominenceCount", look.prominences)

@@ -23,7 +23,7 @@ class CoronaPass {
   explicit CoronaPass(ProjectionKind kind);
 
   // Adds to the bound framebuffer, before or after the disc; conditions as for SunPass::draw. The
-  // corona ends at kCoronaEnd solar radii. Returns false where it is not in the picture.
+  // corona ends at glsl::kCoronaEnd solar radii. Returns false where it is not in the picture.
   bool draw(const Projection& projection, const SunInView& sun, const SunPlane& plane,
             std::span<const Silhouette> silhouettes, const CoronaLook& look,
             glm::ivec2 tileOrigin = {0, 0});

@@ -55,7 +55,7 @@ struct SkyTables {
   const AirTables& tables;
   std::size_t first, count;  // of the sampler's wavelengths
   std::map<std::string, gl::Program> programs;
-  std::map<std::size_t, AirSky> skies;  // by number of casters
+  std::map<std::pair<std::size_t, bool>, AirSky> skies;  // by number of casters, with a corona
   std::unique_ptr<EclipsedSource> eclipsed;
   std::size_t eclipsedCount = 0;
   LimbDarkeningLaw law = LimbDarkeningLaw::Hestroffer;
@@ -132,8 +132,9 @@ std::vector<double> SkySampler::sample(const SkyRequest& request) {
     gl::Definitions shadowFlags;
     std::unique_ptr<BodyShadows> shadows;
     if (!request.casters.empty()) {
-      shadows = std::make_unique<BodyShadows>(request.casters, 1.0, request.law,
-                                              tables.wavelengths(), s.medium.topRadius());
+      shadows =
+          std::make_unique<BodyShadows>(request.casters, 1.0, request.law, tables.wavelengths(),
+                                        s.medium.topRadius(), request.corona);
       // The grids' nodes serve further requests.
       if (!own.eclipsed || own.eclipsedCount != request.casters.size() || own.law != request.law)
         own.eclipsed = std::make_unique<EclipsedSource>(tables, request.law, request.casters.size(),
@@ -154,7 +155,10 @@ std::vector<double> SkySampler::sample(const SkyRequest& request) {
     bool const useTable = AirSky::serves(tables, request.altitude);
     if (useTable) {
       definitions.emplace_back("AIR_SKY", "");
-      auto const sky = own.skies.try_emplace(request.casters.size(), tables, shadowFlags).first;
+      auto const sky =
+          own.skies
+              .try_emplace({request.casters.size(), request.corona != nullptr}, tables, shadowFlags)
+              .first;
       sky->second.update(tables, request.altitude, {0.0, 0.0, 1.0}, sun);
       sky->second.bind();
     }

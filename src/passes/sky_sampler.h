@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "eclipse/corona_light.h"
 #include "eclipse/limb_darkening.h"
 #include "eclipse/shadow_pair.h"
 #include "medium/medium.h"
@@ -30,6 +31,7 @@ struct SkyRequest {
   // azimuth.
   std::vector<glsl::ShadowPair> casters;
   LimbDarkeningLaw law = LimbDarkeningLaw::Hestroffer;
+  std::shared_ptr<const CoronaLight> corona;  // that shines past the casters, or none
 };
 
 // Over E0, by wavelength.

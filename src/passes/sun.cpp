@@ -27,7 +27,7 @@ void blendAdditively() {
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
   glBlendEquation(GL_FUNC_ADD);
-  glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
+  glBlendFunc(GL_ONE, GL_ONE);
 }
 
 SunPass::SunPass(ProjectionKind kind)

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "eclipse/limb_darkening.h"
 #include "quantity/quantity.h"
 #include "quantity/vector.h"
 #include "shared/as_cpp.h"
@@ -34,7 +35,7 @@ struct SunInView {
 // power of mu follows the law, integrated over E490 sunlight and the CIE 1931 observer, within 0.3
 // % for mu above 0.02 (tests/passes/sun_gl_test.cpp repeats the integral).
 inline constexpr std::array<Length, 4> kSolarChannels{638.0 * nanometre, 544.0 * nanometre,
-                                                      440.0 * nanometre, 558.0 * nanometre};
+                                                      440.0 * nanometre, kSolarLuminanceWavelength};
 
 // An opaque body from the camera: a sphere or an oblate spheroid.
 struct SpheroidInView {

@@ -197,7 +197,8 @@ struct PictureRenderer::State {
     }
     BodiesPass::Look const look{
         scene.display.illustrative,
-        parseLimbDarkeningLaw(scene.shadows.limbDarkening, scene.file + ": [shadows]")};
+        parseLimbDarkeningLaw(scene.shadows.limbDarkening, scene.file + ": [shadows]"),
+        plan.coronaLight};
     for (auto const& body : plan.bodies) {
       bodies->prepare(body, plan.picture, look);
       if (observer) observer("sky table " + body.name, [&] { bodies->repeatSky(body); });
@@ -265,7 +266,7 @@ struct PictureRenderer::State {
       for (auto const& body : plan.bodies)
         if (!body.coversSunItself()) airless.push_back(spheroidOf(body));
       auto const discs = plane.silhouettes(airless);
-      auto const wide = plane.silhouettes(airless, kCoronaEnd);
+      auto const wide = plane.silhouettes(airless, glsl::kCoronaEnd);
       run("sun", [&] { passes.sun.draw(plan.picture, sun, plane, discs, origin); });
       run("corona", [&] { passes.corona.draw(plan.picture, sun, plane, wide, corona, origin); });
     }

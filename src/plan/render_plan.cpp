@@ -11,6 +11,7 @@
 #include "eclipse/shadow_pair.h"
 #include "geodesy/site.h"
 #include "photometry/magnitude.h"
+#include "photometry/standard_spectra.h"
 
 namespace antumbra {
 namespace {
@@ -43,9 +44,23 @@ const std::string& airOf(const Scene& scene, const Body& body) {
   return chosen == scene.air.end() ? body.atmosphere : chosen->second;
 }
 
+// What the corona sends past a caster: at the camera where it stands on the receiver, else on the
+// shadow's axis.
+std::string coronaPast(const CoronaLight& corona, const glsl::ShadowPair& pair,
+                       const PlacedBody& receiver, bool camera) {
+  glm::dvec3 const place = camera ? -receiver.bodyFromIcrs(receiver.fromCamera).m
+                                  : glsl::fromCasterSpace(pair, pair.foot);
+  double const share = corona.past(glsl::discsAt(pair, glsl::placeInShadow(pair, place)));
+  double const au = astronomicalUnit / norm(receiver.sunFromBody);
+  static double const solarLux = xyzOfRelativeRadiance([](Length) { return 1.0; }).y;
+  return fmt::format("; past it the corona sends {:.2g} lx ({:.2g} of sunlight) to {}, without air",
+                     share * solarLux * au * au, share, camera ? "the camera" : "the axis");
+}
+
 // Shadows that touch the receiver or its air.
 std::vector<PlannedBody::Caster> liveCasters(const Scene& scene, const PlacedBody& receiver,
-                                             const ShadowConvention& convention, RenderPlan& plan) {
+                                             const ShadowConvention& convention, bool camera,
+                                             Instant when, RenderPlan& plan) {
   std::vector<PlannedBody::Caster> casters;
   Length const reach = (1.0 + kAirReach) * receiver.body->equatorialRadius;
   auto const sun = receiver.bodyFromIcrs(receiver.sunFromBody);
@@ -63,10 +78,17 @@ std::vector<PlannedBody::Caster> liveCasters(const Scene& scene, const PlacedBod
       plan.tables.push_back({air + ", light refracted",
                              fmt::format("the air of {} bends sunlight into its shadow on {}",
                                          neighbour.body->name, receiver.body->name)});
+    // The illustrative look marks shadows in flat colours instead of lighting them.
+    if (scene.sun.coronaLight && !scene.display.illustrative && !plan.coronaLight)
+      plan.coronaLight = std::make_shared<CoronaLight>(
+          scene.sun.activity.value_or(solarActivity(when)),
+          parseLimbDarkeningLaw(scene.shadows.limbDarkening, scene.file + ": [shadows]"));
     plan.shadows.push_back(
         {fmt::format("{} on {}", neighbour.body->name, receiver.body->name),
-         fmt::format("its axis passes {:.0f} km from the centre, penumbra {:.0f} km wide",
-                     glm::length(pair.foot) / 1e3, 2.0 * pair.penumbraRadius / 1e3)});
+         fmt::format(
+             "its axis passes {:.0f} km from the centre, penumbra {:.0f} km wide{}",
+             glm::length(pair.foot) / 1e3, 2.0 * pair.penumbraRadius / 1e3,
+             plan.coronaLight ? coronaPast(*plan.coronaLight, pair, receiver, camera) : "")});
   }
   return casters;
 }
@@ -309,7 +331,7 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
       p.nightLuminance = 0.0;
       p.lommelSeeliger = false;
     }
-    p.casters = liveCasters(scene, b, convention, plan);
+    p.casters = liveCasters(scene, b, convention, isAnchor, placed.when, plan);
     p.phaseLight = phaseLight(*b.body, phaseAngle(b));
     addPlanetshine(placed, b, p);
     if (p.shineLux > 0.0)
@@ -331,14 +353,14 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
     if (distance >= plan.sun.distance) continue;
     Angle const disc = angularRadius(b.polarRadius, distance);
     if (angleBetween(directionOf(b.centre), plan.sun.direction) +
-            kCoronaEnd * plan.sun.angularRadius <
+            glsl::kCoronaEnd * plan.sun.angularRadius <
         disc) {
       plan.sun.hiddenByBody = true;
       plan.sun.hiddenBy = b.name;
     }
   }
   bool const nearPicture =
-      overlapsPicture(picture, plan.sun.direction, kCoronaEnd * plan.sun.angularRadius);
+      overlapsPicture(picture, plan.sun.direction, glsl::kCoronaEnd * plan.sun.angularRadius);
   bool const shown = scene.sun.drawn;
   plan.drawSun = shown && nearPicture && !plan.sun.hiddenByBody;
   if (plan.drawSun)
@@ -416,6 +438,12 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
                       plan.overlays.leftOut.end());
   if (plan.shadows.empty())
     plan.leftOut.push_back({"shadow pairs", "no body's penumbra reaches a body drawn as a disc"});
+  bool const anyCaster = std::any_of(plan.bodies.begin(), plan.bodies.end(),
+                                     [](const PlannedBody& b) { return !b.casters.empty(); });
+  if (anyCaster && !plan.coronaLight)
+    plan.leftOut.push_back({"corona's light", scene.display.illustrative
+                                                  ? "the illustrative look has none"
+                                                  : "the scene says corona_light = false"});
   return plan;
 }
 

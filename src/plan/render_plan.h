@@ -3,9 +3,11 @@
 // clock.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "eclipse/corona_light.h"
 #include "plan/overlay_plan.h"
 #include "plan/planned_body.h"
 #include "scene/placed_scene.h"
@@ -20,10 +22,6 @@ struct PlannedPoint {
   double illuminance = 0.0;  // lx, outside any air
   double colorIndexBv = 0.0;
 };
-
-// Solar radii. Here the F corona has sunk to the zodiacal light, which is not drawn (about
-// 0.02 cd/m2; faded over the last third).
-inline constexpr double kCoronaEnd = 45.0;
 
 struct PlannedSun {
   Direction<CameraAxes> direction;
@@ -53,6 +51,8 @@ struct RenderPlan {
   std::vector<SunCoverer> sunCoverers;
   bool drawSun = false;
   bool queryOcclusion = false;
+  // The corona that lights what lies in shadows; none where nothing does or the scene forbids it.
+  std::shared_ptr<const CoronaLight> coronaLight;
   PlannedOverlays overlays;       // above the tone-mapped picture
   bool glareFromOutside = false;  // the Sun before the camera but outside the picture
 

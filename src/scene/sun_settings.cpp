@@ -71,6 +71,7 @@ SunSettings readSunSettings(const Table& table) {
   if (s.prominences < 0 || s.prominences > 24)
     table.fail("prominences", fmt::format("found {}; allowed: 0 to 24", s.prominences));
   s.drawn = table.boolean("drawn", true);
+  s.coronaLight = table.boolean("corona_light", true);
   return s;
 }
 

@@ -5,6 +5,7 @@
 //   corona = "smooth"   # or "streamers": helmets and plumes, invented, about the measured mean
 //   prominences = 0     # count, 0 to 24, invented
 //   drawn = true        # false: neither its disc nor corona nor glare; its light stays
+//   corona_light = true # whether the corona lights what lies in shadows: ground, air in totality
 #pragma once
 
 #include <optional>
@@ -19,6 +20,7 @@ struct SunSettings {
   bool streamers = false;
   int prominences = 0;
   bool drawn = true;
+  bool coronaLight = true;
 };
 
 SunSettings readSunSettings(const Table& table);

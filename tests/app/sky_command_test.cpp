@@ -2,12 +2,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
 #include "app/commands.h"
 #include "document/input_error.h"
 #include "document/paths.h"
+#include "photometry/magnitude.h"
 
 namespace antumbra {
 namespace {
@@ -144,6 +146,55 @@ TEST_F(SkyCommand, SeveralOccultersHideTheSunByTheirUnion) {
   EXPECT_THAT(sky(base + left + "--occulter ratio=1.05"), HasSubstr("shift-km= is missing"));
 }
 
+// The two numbers behind a line that ends with `header`.
+std::pair<double, double> firstTwo(const std::string& out, const std::string& header) {
+  double first = -1.0, second = -1.0;
+  auto const at = out.find(header);
+  EXPECT_NE(at, std::string::npos) << out;
+  if (at == std::string::npos) return {first, second};
+  EXPECT_EQ(std::sscanf(out.c_str() + at + header.size(), "%lf,%lf", &first, &second), 2) << out;
+  return {first, second};
+}
+
+// Mid-totality under a high Sun by the programs of pictures. Expected: 4.1 lx on the horizontal by
+// the luxmeter of 2006-03-29 and by the Monte Carlo of eclipse_mc_reference.csv (whose medium this
+// is; bar 15 %), and the zenith as sky quality meters of 2017-08-21 read it, with 0.2 mag for their
+// band.
+TEST_F(SkyCommand, TotalityIsAsBrightAsMeasured) {
+  double measuredLux = 0.0, brightest = 0.0, faintest = 0.0;
+  std::ifstream in(rootFolder() / "tests/authorities/eclipse_solar_published.csv");
+  for (std::string line; std::getline(in, line);) {
+    auto const value = line.substr(line.find(',') + 1);
+    if (line.starts_with("horizontal illuminance at mid-totality")) measuredLux = std::stod(value);
+    if (line.starts_with("zenith sky brightness at totality")) {
+      ASSERT_EQ(std::sscanf(value.c_str(), "%lf-%lf", &brightest, &faintest), 2) << line;
+    }
+  }
+  ASSERT_EQ(measuredLux, 4.1);
+  std::string const totality = "--sun-zenith 35 --occulter ratio=1.0515,shift-km=0 --luminance ";
+  for (std::string const method : {"balanced", "accurate"})
+    for (std::string const corona : {"", " --corona 0.5"}) {
+      if (method == "accurate" && !corona.empty()) continue;  // the corona is no matter of presets
+      std::string const options = totality + "--method " + method + corona;
+      auto const [direct, diffuse] =
+          firstTwo(sky("--medium " + mediumFile() + " --irradiance " + options),
+                   "direct_lx,diffuse_lx,x,y\n");
+      auto const out = look("view_zenith_deg,rel_azimuth_deg\n0,0\n", options);
+      auto const zenith = surfaceBrightnessOfLuminance(firstTwo(out, "x,y\n0,0,").first);
+      std::printf("%s%s: %.2f lx (%.3f direct), zenith %.2f mag/arcsec2\n", method.c_str(),
+                  corona.c_str(), direct + diffuse, direct, zenith);
+      EXPECT_NEAR((direct + diffuse) / measuredLux, 1.0, 0.15) << options;
+      EXPECT_GT(zenith, brightest - 0.14) << options;
+      EXPECT_LT(zenith, faintest + 0.27) << options;
+      if (corona.empty()) {
+        EXPECT_EQ(direct, 0.0);
+      } else {
+        // 0.98e-6 of 133 klx, through the air's 0.85 to 0.83 of a slant by 35 degrees.
+        EXPECT_NEAR(direct, 0.09, 0.01);
+      }
+    }
+}
+
 TEST_F(SkyCommand, BadInputNamesOptionFindingAndAllowance) {
   std::string const wave = "--sun-zenith 60 --wavelengths 550 --method single ";
   EXPECT_THAT(sky("--sun-zenith 60 --medium /nowhere.toml"), HasSubstr("/nowhere.toml"));
@@ -174,6 +225,9 @@ TEST_F(SkyCommand, BadInputNamesOptionFindingAndAllowance) {
   EXPECT_THAT(look(kTwo, there + "45 --body Erath"), AllOf(HasSubstr("Erath"), HasSubstr("Earth")));
   EXPECT_THAT(look(kTwo, there + "45 --body Earth --occulter ratio=1.05,shift-km=0"),
               HasSubstr("--occulter"));
+  EXPECT_THAT(look(kTwo, wave + "--corona 0.5"), HasSubstr("--occulter"));
+  EXPECT_THAT(look(kTwo, wave + "--occulter ratio=1.05,shift-km=0 --corona 2"),
+              AllOf(HasSubstr("--corona"), HasSubstr("found 2"), HasSubstr("0 to 1")));
   EXPECT_THAT(look("", wave), HasSubstr("holds no direction"));
   EXPECT_THAT(look("zenith,azimuth\n1,2\n", wave), AllOf(HasSubstr(":1"), HasSubstr("header")));
   EXPECT_THAT(look(kTwo + "200,0\n", wave), AllOf(HasSubstr(":4"), HasSubstr("view_zenith_deg")));

@@ -42,7 +42,7 @@ TEST_F(CoronaGlTest, KeepsItsLightOnADome) {
   SunInView const sun = sunAt(glm::normalize(glm::dvec3{0.2, 0.1, -1.0}));
   SunPlane const plane(sun);
   SpheroidInView const moon = testsupport::moonBefore(sun, 1.03, {0.0, 0.0});
-  std::vector<Silhouette> const silhouettes = plane.silhouettes({{moon}}, kCoronaEnd);
+  std::vector<Silhouette> const silhouettes = plane.silhouettes({{moon}}, glsl::kCoronaEnd);
   double const want = glsl::coronaShareBetween(1.03, 37.0, centreOverMean);
   for (int size : {1024, 2048}) {
     Projection const p{ProjectionKind::Fisheye, 180.0 * degree, size, size};
@@ -73,7 +73,8 @@ TEST_F(CoronaGlTest, TheMoonIsBlackAgainstIt) {
   SpheroidInView const moon = testsupport::moonBefore(sun, 1.05, {0.02, 0.0});
   SkyPicture picture(p);
   CoronaPass pass(p.kind);
-  picture.draw([&] { pass.draw(p, sun, plane, plane.silhouettes({{moon}}, kCoronaEnd), {0.5}); });
+  picture.draw(
+      [&] { pass.draw(p, sun, plane, plane.silhouettes({{moon}}, glsl::kCoronaEnd), {0.5}); });
   for (int y = 0; y < p.height; ++y)
     for (int x = 0; x < p.width; ++x) {
       double const off = angleBetween(*p.directionAt(x + 0.5, y + 0.5), directionOf(moon.centre)) /

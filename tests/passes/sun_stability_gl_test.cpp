@@ -56,7 +56,7 @@ TEST_F(SunStabilityGlTest, LightIsFiniteAndNotNegative) {
             glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
         bodies.push_back({{(r.si + 1.0) * down}, {down}, r, r});
       }
-      std::vector<Silhouette> const outlines = plane.silhouettes(bodies, kCoronaEnd);
+      std::vector<Silhouette> const outlines = plane.silhouettes(bodies, glsl::kCoronaEnd);
       occlusion.ask(sun, plane, outlines);
       VisibleSun const visible = occlusion.wait();
       ASSERT_TRUE(std::isfinite(visible.area) && visible.area >= 0.0 && visible.area < 1.01) << i;

@@ -223,6 +223,23 @@ TEST(RenderPlan, SaysHowTheCoronaAndTheDisplayCameAbout) {
   EXPECT_THAT(eye, HasSubstr("0.25 of the solar cycle (the scene's)"));
 }
 
+TEST(RenderPlan, SaysHowMuchTheCoronaLights) {
+  Scene scene = shipped("luxor_dome");
+  RenderPlan plan = planOf(scene, "2027-08-02T10:05:06Z");
+  // A Moon of 1.079 solar radii leaves 0.8e-6 of 133 klx, at 1.015 au.
+  EXPECT_THAT(explain(plan), HasSubstr("the corona sends 0.11 lx"));
+  EXPECT_TRUE(plan.coronaLight);
+  EXPECT_FALSE(planOf(scene, "2027-08-05T10:05:06Z").coronaLight);  // nothing casts a shadow
+  scene.sun.coronaLight = false;
+  plan = planOf(scene, "2027-08-02T10:05:06Z");
+  EXPECT_FALSE(plan.coronaLight);
+  EXPECT_THAT(explain(plan), HasSubstr("corona_light = false"));
+  EXPECT_THAT(explain(plan), Not(HasSubstr("corona sends")));
+  scene.sun.coronaLight = true;
+  scene.display.illustrative = true;
+  EXPECT_FALSE(planOf(scene, "2027-08-02T10:05:06Z").coronaLight);
+}
+
 TEST(RenderPlan, TheSunBesideThePictureDazzlesUnlessItIsBehindTheCamera) {
   Scene scene = onTheMoon();
   scene.bodies = {};

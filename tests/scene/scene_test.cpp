@@ -76,6 +76,10 @@ TEST(Scene, ReadsAndRefusesTheObserverAndTheSun) {
   EXPECT_DOUBLE_EQ(*s.sun.activity, 0.8);
   EXPECT_TRUE(s.sun.streamers);
   EXPECT_EQ(s.sun.prominences, 5);
+  EXPECT_TRUE(s.sun.coronaLight);
+  EXPECT_FALSE(parse(base + "[sun]\ncorona_light = false\n").sun.coronaLight);
+  EXPECT_THAT(refusal(base + "[sun]\ncorona_light = 1\n"),
+              AllOf(HasSubstr("s.toml:15"), HasSubstr("corona_light")));
   EXPECT_TRUE(parse(base + "[display]\nobserver = \"eye\"\n").display.eye);
   EXPECT_THAT(refusal(base + "[display]\nobserver = \"owl\"\n"),
               AllOf(HasSubstr("s.toml:15"), HasSubstr("owl"), HasSubstr("camera")));
