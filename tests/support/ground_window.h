@@ -42,6 +42,7 @@ class GroundWindow {
                      view.size, view.size};
     scene.shadows.convention = view.convention;
     scene.shadows.limbDarkening = view.limbDarkening;
+    scene.sun.coronaLight = false;  // edges and contacts are those of the photosphere
     scene.display.illustrative = view.illustrative;
     scene.display.automaticExposure = false;
     scene.quality = "draft";
