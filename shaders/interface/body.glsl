@@ -7,6 +7,8 @@
 //   SHADOW_PAIRS n    casters whose shadow may be seen
 //   RING_SHADOW       its rings may stand before the Sun
 //   BODY_SUNLIT, BODY_DUSK, BODY_NIGHT, BODY_SKY: all rays show that (src/passes/body_tiles.h)
+//   AIR_SAMPLES       only what the air sends, for a grid of one sample to some pixels
+//   AIR_SAMPLED       what the air sends comes from that grid
 //   SURFACE_MAP, WATER_MASK, NIGHT_MAP, SURFACE_LUNAR, ILLUSTRATIVE
 // Mirrors `BodyBlock` in src/passes/bodies.cpp.
 #ifndef INTERFACE_BODY_GLSL
@@ -51,6 +53,21 @@ layout(binding = 1) uniform sampler2D waterMask;
 #endif
 #ifdef NIGHT_MAP
 layout(binding = 9) uniform sampler2D nightMap;
+#endif
+
+#if defined(AIR_SAMPLES) || defined(AIR_SAMPLED)
+uniform vec3 sampleGrid;  // pixels a side; of the picture's pixels at its lower left corner, in samples
+vec2 pictureOfSample(vec2 place) { return (place + sampleGrid.yz) * sampleGrid.x; }
+#endif
+#ifdef AIR_SAMPLED
+layout(binding = 14) uniform sampler2D airLights;  // cd/m2
+layout(binding = 15) uniform sampler2D airTransmittances;
+vec2 placeInSamples(vec2 pixel) {
+  return (pixel / sampleGrid.x - sampleGrid.yz) / vec2(textureSize(airLights, 0));
+}
+vec3 sampledLight(vec2 pixel) { return textureLod(airLights, placeInSamples(pixel), 0.0).rgb; }
+vec3 sampledTransmittance(vec2 pixel) { return textureLod(airTransmittances, placeInSamples(pixel), 0.0).rgb; }
+vec3 sampled;  // the pixel's
 #endif
 
 #ifdef RING_SHADOW
@@ -334,6 +351,7 @@ BodyLight bodyLight(vec3 cameraRay) {
 #endif
   float footprint = 0.0;
   vec3 normal = vec3(0.0, 0.0, 1.0);
+#ifndef AIR_SAMPLES
   if (cover > 0.0) {
     float root = sqrt(max(ray.groundRoot, 0.0));
     if (bodyHeights.w > 0.5) {
@@ -361,7 +379,8 @@ BodyLight bodyLight(vec3 cameraRay) {
     emitted = surface.emitted * cover * colourShare(through);
 #endif
   }
-#if defined(AIR) && !defined(BODY_NIGHT)
+#endif
+#if defined(AIR) && !defined(BODY_NIGHT) && !defined(AIR_SAMPLED)
 #ifdef AIR_SKY
   vec2 place = skyPlace(ray.direction, way.hitsGround);
   float blur = blurOnSky(place);
@@ -372,7 +391,13 @@ BodyLight bodyLight(vec3 cameraRay) {
   for (int layer = 0; layer < AIR_LAYERS; ++layer) light[layer] += scattered.joint[layer];
 #endif
 #endif
+#if defined(AIR_SAMPLES)
+  result.light = colourOf(light) * bodySun.w;
+#elif defined(AIR_SAMPLED)
+  result.light = max(colourOf(light) * bodySun.w + sampled, vec3(0.0)) + emitted;
+#else
   result.light = max(colourOf(light), vec3(0.0)) * bodySun.w + emitted;
+#endif
 #ifdef AIR
   if (hits) {
     result.transmittance = vec3(0.0);

@@ -72,6 +72,9 @@ RowTable::Row rowOf(const Measured& m, const std::vector<AirView>& views) {
       {"worst_rel_azimuth_deg", cell(arcTangent(u.y, u.x) / degree, 1)},
       {"delta_e2000", cell(e.deltaE, 3)},
       {"worst_delta_e2000", cell(e.worstDeltaE, 3)},
+      {"scale_error_percent", cell(100.0 * m.all.scale.luminance, 4)},
+      {"scale_worst_percent", cell(100.0 * m.all.scale.worst, 3)},
+      {"scale_worst_delta_e2000", cell(m.all.scale.worstDeltaE, 3)},
       {"fill_units", cell(m.all.cost.fillUnits, 3)},
       {"draw_ms", cell(m.all.cost.milliseconds, 2)},
       {"precompute_s", cell(m.all.cost.precomputeSeconds, 3)},
@@ -318,7 +321,9 @@ void addTradeSky(CLI::App& trade) {
   command->add_option("-o,--output", o->output, "File instead of standard output");
   command->footer(
       "Errors are those of luminance, mean over directions and scenes, against a Monte Carlo path\n"
-      "tracer of all orders; delta_e2000 that of colour. Costs: the time of the sky table and of "
+      "tracer of all orders; delta_e2000 that of colour; scale_* those of all pixels with "
+      "air_scale\n"
+      "against a sample for each. Costs: the time of the sky table and of "
       "the\n"
       "body with its air in fill units (README, Times), the time to compute the air's tables, and\n"
       "their memory. A point is on the front unless another is no worse in the error and in every\n"

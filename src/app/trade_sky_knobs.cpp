@@ -50,6 +50,12 @@ const std::vector<AirKnob>& airKnobs() {
         knob("view_samples", &Q::viewSamples, {4, 6, 8, 12, 16}),
         knob("ground_samples", &Q::groundSamples, {2, 3, 4, 5, 6, 8, 10}),
     };
+    // The cheapest first.
+    AirKnob scale{"air_scale", {}, [](const Q& q) { return -q.airScale; }};
+    for (int pixels : {4, 2, 1})
+      scale.settings.push_back({fmt::format("air_scale = {}", pixels),
+                                [pixels](Q& q) { q.airScale = pixels; }, -pixels});
+    list.push_back(scale);
     auto const bits = [](const Q& q) { return q.storage == AirStorage::Half ? 16 : 32; };
     list.push_back({"storage",
                     {{"storage = half", [](Q& q) { q.storage = AirStorage::Half; }, 16},

@@ -20,8 +20,17 @@ struct AirCost {
   double mebibytes = 0.0;          // of all tables, the sky table's with them
 };
 
+// What one sample of the air for several pixels changes: all pixels of the view against those with
+// a sample each.
+struct ScaleError {
+  double luminance = 0.0;    // mean of |relative difference|
+  double worst = 0.0;        // the largest, with its sign
+  double worstDeltaE = 0.0;  // CIEDE2000, white at twice the pixel's luminance
+};
+
 struct AirMeasurement {
   SkyError error;
+  ScaleError scale;
   AirCost cost;
 };
 

@@ -123,12 +123,14 @@ AirView airViewOf(const SceneSession::Moment& moment, std::size_t count) {
       double const x = 0.5 + step * static_cast<double>(i);
       return x - std::floor(x);
     };
-    auto const direction = view.picture.directionAt(fraction(kStepX) * view.picture.width,
-                                                    fraction(kStepY) * view.picture.height);
+    glm::dvec2 const place(fraction(kStepX) * view.picture.width,
+                           fraction(kStepY) * view.picture.height);
+    auto const direction = view.picture.directionAt(place.x, place.y);
     if (!direction) continue;
     glm::dvec3 const own = sphere(body.bodyFromCamera(*direction)).u;
     if (glm::dot(own, q.sun.toSun.u) > cos(kFromSun) || !meetsAir(own)) continue;
     q.directions.push_back({own});
+    view.pixels.emplace_back(glm::floor(place));
   }
   if (q.directions.size() < count)
     throw InputError(fmt::format(

@@ -19,6 +19,7 @@ struct AirView {
   // The camera above a sphere of the body's equatorial radius, in the space in which the body is
   // that sphere; the Sun as a disc of its size. Wavelengths: those of the reference.
   SkyQuestion question;
+  std::vector<glm::ivec2> pixels;  // of the directions, from the lower left
   double illuminanceFactor = 1.0;  // (1 au / distance of the Sun)^2
   Angle sunZenith;
 };

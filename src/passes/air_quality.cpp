@@ -38,6 +38,8 @@ AirQuality AirQuality::read(const Table& table) {
   q.skySamples = within(table, "sky_samples", q.skySamples, 2, 64);
   q.viewSamples = within(table, "view_samples", q.viewSamples, 2, 64);
   q.groundSamples = within(table, "ground_samples", q.groundSamples, 2, 64);
+  q.airScale = within(table, "air_scale", q.airScale, 1, 4);
+  if (q.airScale == 3) table.fail("air_scale", "found 3; allowed: 1, 2, 4");
   q.skyWidth = within(table, "sky_width", q.skyWidth, 8, 1024);
   q.skyHeight = within(table, "sky_height", q.skyHeight, 16, 2048);
   if (q.skyHeight % 2) table.fail("sky_height", "allowed: an even number");

@@ -29,6 +29,7 @@ struct AirQuality {
   int skySamples = 12;         // samples a leg, in the sky table
   int viewSamples = 12;        // samples a leg, per pixel: limb, twilight
   int groundSamples = 8;       // per pixel of sunlit ground seen through air
+  int airScale = 1;            // pixels a side that share a sample of the air's light: 1, 2 or 4
   int skyWidth = 48;           // texels of the sky table over half a turn of azimuth
   int skyHeight = 128;         // and over zenith angle
   int eclipseDistances = 26;   // cells of the grid about a shadow's axis: distances from it,

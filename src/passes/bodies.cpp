@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "document/paths.h"
+#include "gl/framebuffer.h"
 #include "gl/view_block.h"
 #include "medium/medium.h"
 #include "passes/air_sky.h"
@@ -69,6 +70,34 @@ struct SurfaceMaps {
   gl::Texture colour, water, night;
 };
 
+bool isCoarse(std::size_t part) { return part >= std::size_t(BodyPart::CoarseSunlit); }
+
+// Rectangles, as corners of two triangles each, larger by so many pixels on every side.
+std::vector<glm::vec2> grown(std::vector<glm::vec2> corners, float by) {
+  for (std::size_t i = 0; i < corners.size(); i += 6) {
+    glm::vec2 const low = corners[i], high = corners[i + 2];
+    for (std::size_t k = i; k < i + 6; ++k)
+      for (int axis = 0; axis < 2; ++axis)
+        corners[k][axis] += corners[k][axis] > 0.5f * (low[axis] + high[axis]) ? by : -by;
+  }
+  return corners;
+}
+
+// One sample of the air's light to several pixels, of the tile of the picture in hand.
+struct AirSamples {
+  gl::Texture light, transmittance;
+  gl::Framebuffer target;
+  glm::ivec2 origin{0};  // in samples: of the lower left one
+  void cover(glm::ivec2 tileOrigin, glm::ivec2 targetSize, int scale) {
+    origin = tileOrigin / scale - 1;
+    glm::ivec2 const size = (tileOrigin + targetSize - 1) / scale - origin + 2;
+    if (light && light.width() == size.x && light.height() == size.y) return;
+    light = gl::Texture::plane(GL_RGBA32F, size.x, size.y);
+    transmittance = gl::Texture::plane(GL_RGBA16F, size.x, size.y);
+    target = gl::Framebuffer({&light, &transmittance});
+  }
+};
+
 // What a body has resident, by its name.
 struct Resident {
   std::string air;  // key of its tables, or empty
@@ -86,6 +115,8 @@ struct Resident {
   std::array<std::string, kBodyParts> programs;  // by BodyPart
   BodyTiles tiles;
   std::array<gl::Buffer, kBodyParts> corners;
+  std::array<std::string, kBodyParts> samplers;  // programs of the coarse parts' samples
+  std::array<gl::Buffer, kBodyParts> sampleCorners;
   glm::dvec3 up{0.0, 0.0, 1.0}, sun{1.0, 0.0, 0.0};
 };
 
@@ -102,6 +133,7 @@ struct BodiesPass::State {
   std::map<std::string, gl::Texture> maps;
   std::map<std::string, Resident> bodies;
   std::map<std::string, gl::Program> programs;
+  AirSamples samples;
   bool exact = true;
   int tablesBuilt = 0;
   GLuint vertexArrayId = 0;
@@ -342,20 +374,34 @@ void BodiesPass::prepare(const PlannedBody& body, const Projection& picture, con
                           static_cast<float>(body.shineLux / (solarLux * irradiance)));
   resident.block.write(block);
 
+  // The edges of shadows in the air are everywhere.
+  CoarseTiles const coarse{body.casters.empty() ? s.quality.airScale : 1, resident.skyShown};
   resident.tiles = bodyTiles(picture, body.bounds, scaledFromCamera, resident.up, resident.sun,
-                             radius, above, top, air ? air->lowestSunCosine() : -1.0);
+                             radius, above, top, air ? air->lowestSunCosine() : -1.0, coarse);
   constexpr std::array<const char*, kBodyParts> flags{"BODY_SUNLIT", "BODY_DUSK", "BODY_NIGHT",
-                                                      "BODY_SKY", ""};
+                                                      "BODY_SKY",    "",          "BODY_SUNLIT",
+                                                      "BODY_DUSK",   "BODY_SKY"};
+  auto const programOf = [&](const gl::Definitions& own) {
+    std::string const key = keyOf(own);
+    if (!s.programs.count(key))
+      s.programs[key] = gl::Program::render("passes/tiles.vert", "passes/body.frag", own);
+    return key;
+  };
   for (std::size_t part = 0; part < kBodyParts; ++part) {
     auto const& tiles = resident.tiles[part];
     if (tiles.empty()) continue;
     resident.corners[part].write(std::span<const glm::vec2>(tiles));
     auto own = definitions;
     if (*flags[part]) own.emplace_back(flags[part], "");
-    resident.programs[part] = keyOf(own);
-    if (!s.programs.count(resident.programs[part]))
-      s.programs[resident.programs[part]] =
-          gl::Program::render("passes/tiles.vert", "passes/body.frag", own);
+    if (isCoarse(part)) {
+      auto samples = own;
+      samples.emplace_back("AIR_SAMPLES", "");
+      resident.samplers[part] = programOf(samples);
+      resident.sampleCorners[part].write(
+          std::span<const glm::vec2>(grown(tiles, static_cast<float>(s.quality.airScale))));
+      own.emplace_back("AIR_SAMPLED", "");
+    }
+    resident.programs[part] = programOf(own);
   }
 }
 
@@ -369,6 +415,18 @@ bool BodiesPass::repeatSky(const PlannedBody& body) {
   if (resident.refracted) resident.refracted->bind();
   resident.sky->update(*s.airs.at(resident.air), body.cameraHeight, resident.up, resident.sun);
   return true;
+}
+
+void BodiesPass::useAirScale(int pixels) { state_->quality.airScale = pixels; }
+
+// Rectangles of the picture into the bound target, whose lower left corner is `origin`.
+void BodiesPass::drawRectangles(State& s, const gl::Program& program, const gl::Buffer& corners,
+                                std::size_t count, glm::ivec2 origin, glm::ivec2 size) {
+  glBindVertexArray(s.vertexArray());
+  glVertexArrayVertexBuffer(s.vertexArray(), 0, corners.id(), 0, sizeof(glm::vec2));
+  program.set("tileOrigin", glm::vec2(origin)).set("targetSize", glm::vec2(size)).use();
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(count));
+  glBindVertexArray(0);
 }
 
 void BodiesPass::draw(const PlannedBody& body, const Projection& picture, glm::ivec2 tileOrigin,
@@ -394,23 +452,41 @@ void BodiesPass::draw(const PlannedBody& body, const Projection& picture, glm::i
   if (!body.waterMask.empty()) s.maps.at(body.waterMask).bind(1);
   if (!body.nightMap.empty()) s.maps.at(body.nightMap).bind(9);
   s.nodes.bind();
+  int const scale = s.quality.airScale;
+  glm::vec3 grid(0.0f);
+  bool sampled = false;
+  for (std::size_t part = 0; part < kBodyParts; ++part)
+    sampled = sampled || (isCoarse(part) && !resident.tiles[part].empty());
+  if (sampled) {
+    GLint before = 0;
+    std::array<GLint, 4> viewport{};
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before);
+    glGetIntegerv(GL_VIEWPORT, viewport.data());
+    s.samples.cover(tileOrigin, targetSize, scale);
+    grid = glm::vec3(static_cast<float>(scale), glm::vec2(s.samples.origin));
+    glm::ivec2 const size{s.samples.light.width(), s.samples.light.height()};
+    s.samples.target.bind();
+    for (std::size_t part = 0; part < kBodyParts; ++part)
+      if (isCoarse(part) && !resident.tiles[part].empty())
+        drawRectangles(s, s.programs.at(resident.samplers[part]).set("sampleGrid", grid),
+                       resident.sampleCorners[part], resident.tiles[part].size(),
+                       s.samples.origin * scale, size * scale);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(before));
+    glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+    s.samples.light.bind(14);
+    s.samples.transmittance.bind(15);
+  }
   glEnable(GL_SCISSOR_TEST);
   glScissor(low.x, low.y, high.x - low.x, high.y - low.y);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_SRC1_COLOR);
-  glBindVertexArray(s.vertexArray());
   for (std::size_t part = 0; part < kBodyParts; ++part) {
-    auto const count = static_cast<GLsizei>(resident.tiles[part].size());
-    if (!count) continue;
-    glVertexArrayVertexBuffer(s.vertexArray(), 0, resident.corners[part].id(), 0,
-                              sizeof(glm::vec2));
-    s.programs.at(resident.programs[part])
-        .set("tileOrigin", glm::vec2(tileOrigin))
-        .set("targetSize", glm::vec2(targetSize))
-        .use();
-    glDrawArrays(GL_TRIANGLES, 0, count);
+    if (resident.tiles[part].empty()) continue;
+    auto& program = s.programs.at(resident.programs[part]);
+    if (isCoarse(part)) program.set("sampleGrid", grid);
+    drawRectangles(s, program, resident.corners[part], resident.tiles[part].size(), tileOrigin,
+                   targetSize);
   }
-  glBindVertexArray(0);
   glDisable(GL_BLEND);
   // Left at two sources, even disabled, drawing into two targets would be refused.
   glBlendFunc(GL_ONE, GL_ZERO);
@@ -445,6 +521,9 @@ std::vector<std::pair<std::string, std::size_t>> BodiesPass::residentBytes() con
   std::vector<std::pair<std::string, std::size_t>> list;
   for (auto const& [name, tables] : state_->airs)
     list.emplace_back("air of " + name, tables->bytes());
+  if (state_->samples.light)
+    list.emplace_back("air of several pixels",
+                      state_->samples.light.bytes() + state_->samples.transmittance.bytes());
   for (auto const& [name, map] : state_->maps) list.emplace_back("map " + name, map.bytes());
   for (auto const& [name, resident] : state_->bodies) {
     if (resident.shadows) list.emplace_back("shadows on " + name, resident.shadows->bytes());

@@ -23,6 +23,10 @@
 namespace antumbra {
 
 class AirTables;
+namespace gl {
+class Buffer;
+class Program;
+}  // namespace gl
 
 class BodiesPass {
  public:
@@ -51,6 +55,9 @@ class BodiesPass {
   // has seen with rings in the picture.
   void drawRings(const PlannedBody& body, RingsHalf half, glm::ivec2 tileOrigin,
                  glm::ivec2 targetSize);
+  // Pixels a side that share a sample of the air's light, from the next `prepare` on, in place of
+  // the quality's.
+  void useAirScale(int pixels);
   // Draws again the sky table of a body, for measuring; false where it has none.
   bool repeatSky(const PlannedBody& body);
 
@@ -63,6 +70,8 @@ class BodiesPass {
 
  private:
   struct State;
+  static void drawRectangles(State& s, const gl::Program& program, const gl::Buffer& corners,
+                             std::size_t count, glm::ivec2 origin, glm::ivec2 size);
   std::unique_ptr<State> state_;
 };
 

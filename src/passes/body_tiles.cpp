@@ -17,6 +17,8 @@ constexpr int kTilesAcross = 100, kLeastPixels = 8;
 constexpr int kLargeRectangle = 12;
 // Widens a tile's cone for edges that bulge beyond its corners (fisheye, poles of a map).
 constexpr double kBulge = 1.15;
+// About the Sun, where the light of hazes changes from pixel to pixel.
+constexpr double kAureole = 4.0 * std::numbers::pi / 180.0;
 
 double angleBetween(const glm::dvec3& a, const glm::dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
@@ -95,7 +97,8 @@ std::vector<TileRectangle> rectanglesOf(TileGrid grid) {
 
 BodyTiles bodyTiles(const Projection& picture, const PixelBounds& bounds,
                     const glm::dmat3& scaledFromCamera, const glm::dvec3& up, const glm::dvec3& sun,
-                    double radius, double height, double reach, double nightSine) {
+                    double radius, double height, double reach, double nightSine,
+                    CoarseTiles coarse) {
   BodyTiles tiles;
   int const size = std::max(kLeastPixels, std::max(picture.width, picture.height) / kTilesAcross);
   double const ground = angularRadiusFrom(radius, height, 0.0);
@@ -140,6 +143,9 @@ BodyTiles bodyTiles(const Projection& picture, const PixelBounds& bounds,
       corners.push_back(
           {direction, direction ? lightingOf(*direction) : Lighting{-1.0, -1.0, -1.0}});
     }
+  auto const coarsely = [&](bool smooth, BodyPart fine, BodyPart whole) {
+    return coarse.scale > 1 && reach > 0.0 && smooth ? whole : fine;
+  };
   auto const partOf = [&](int column, int row) -> std::optional<BodyPart> {
     int const x = bounds.x0 + column * size, y = bounds.y0 + row * size;
     std::optional<glm::dvec3> const middle =
@@ -160,6 +166,8 @@ BodyTiles bodyTiles(const Projection& picture, const PixelBounds& bounds,
       highestEye = std::max(highestEye, corner.light.eye);
     }
     spread = kBulge * spread + pixel;
+    // With the samples around, whose light is mixed in.
+    double const wide = spread + coarse.scale * pixel;
     double const away = angleBetween(*middle, -up);
     if (away - spread > air) return std::nullopt;
     // Beyond the corners' extremes by half of their spread: they hold them but for curvature.
@@ -167,15 +175,21 @@ BodyTiles bodyTiles(const Projection& picture, const PixelBounds& bounds,
       double const margin = 0.5 * (highest - lowest);
       double const eyeMargin = 0.5 * (highestEye - lowestEye);
       if (glsl::fewSamplesShare(lowest - margin, lowestEye - eyeMargin) == 1.0)
-        return BodyPart::Sunlit;
+        return coarsely(away + wide < ground, BodyPart::Sunlit, BodyPart::CoarseSunlit);
       bool const dark = highest + margin < nightSine &&
                         highestStart + 0.5 * (highestStart - lowestStart) < nightSine;
       if (dark) return BodyPart::Night;
       return glsl::fewSamplesShare(highest + margin, highestEye + eyeMargin) == 0.0
-                 ? BodyPart::Dusk
+                 ? coarsely(away + wide < ground && lowest - margin > 0.0, BodyPart::Dusk,
+                            BodyPart::CoarseDusk)
                  : BodyPart::Both;
     }
-    if (away - spread > ground) return reach > 0.0 ? std::optional(BodyPart::Air) : std::nullopt;
+    if (away - spread > ground) {
+      if (reach <= 0.0) return std::nullopt;
+      bool const smooth =
+          coarse.air && away - wide > ground && angleBetween(*middle, sun) - wide > kAureole;
+      return coarsely(smooth, BodyPart::Air, BodyPart::CoarseAir);
+    }
     return BodyPart::Both;
   };
   for (int row = 0; row < grid.rows; ++row)

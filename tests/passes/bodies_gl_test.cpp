@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
+#include "eclipse/shadow_convention.h"
 #include "gl/buffer.h"
 #include "gl/framebuffer.h"
 #include "gl/program.h"
@@ -104,6 +107,112 @@ TEST_F(Bodies, HidesWhatLiesBehindIt) {
   auto const away =
       picture(pass, earthFrom({r, 0, 0}, {1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, narrow), narrow, behind);
   EXPECT_EQ(away[(8 * 16 + 8) * 4], 1e6f);
+}
+
+// Samples of the air that pixels share change smooth light a little, and no edge: what lies within
+// reach of a horizon has its own, and so has everything in an eclipse.
+TEST_F(Bodies, ShareSamplesOfTheAirWithoutHalos) {
+  BodiesPass pass(noImage, quickQuality());
+  Projection const flat{ProjectionKind::Perspective, 60.0 * degree, 320, 180};
+  struct View {
+    const char* name;
+    double height, pitch, sunZenith;  // m, degrees up from the horizontal, degrees
+    double mean, worst;               // of the difference that 2 pixels a side make
+  };
+  for (auto const& view : {View{"ground horizon", 100.0, 5.0, 80.0, 5e-4, 0.03},
+                           View{"10 km, dusk", 1e4, 0.0, 91.0, 5e-4, 0.02},
+                           View{"limb from orbit", 4e5, -35.0, 60.0, 5e-4, 0.02},
+                           View{"terminator", 3e6, -60.0, 90.0, 2e-3, 0.04},
+                           View{"whole disc", 1.2e7, -80.0, 40.0, 1e-4, 0.005}}) {
+    double const r = kEarthEquatorialRadius.si + view.height, p = view.pitch * degree.si;
+    double const z = view.sunZenith * degree.si;
+    auto const body =
+        earthFrom({r, 0, 0}, {std::sin(p), std::cos(p), 0.0}, {std::cos(p), -std::sin(p), 0},
+                  {std::cos(z), std::sin(z), 0.0}, flat);
+    glm::vec4 const black(0.0f, 0.0f, 0.0f, 1.0f);
+    auto const one = picture(pass, body, flat, black);
+    double const brightest = double(*std::max_element(one.begin(), one.end()));
+    for (int scale : {2, 4}) {
+      pass.useAirScale(scale);
+      auto const rgba = picture(pass, body, flat, black);
+      double sum = 0.0, worst = 0.0;
+      int count = 0, changed = 0;
+      for (std::size_t i = 1; i < rgba.size(); i += 4) {
+        double const difference = double(rgba[i]) - double(one[i]);
+        changed += difference != 0.0;
+        if (double(one[i]) < 1e-3 * brightest) continue;
+        ++count;
+        sum += std::fabs(difference) / double(one[i]);
+        worst = std::max(worst, std::fabs(difference) / double(one[i]));
+      }
+      std::printf("%-16s %d pixels a side: mean %.4f %%, worst %.3f %%, %d %% of the pixels\n",
+                  view.name, scale, 100.0 * sum / count, 100.0 * worst,
+                  changed * 100 / (flat.width * flat.height));
+      // Of second differences: four times as large over twice the distance.
+      double const grows = scale == 2 ? 1.0 : 4.0;
+      EXPECT_LT(sum / count, grows * view.mean) << view.name;
+      EXPECT_LT(worst, grows * view.worst) << view.name;
+      EXPECT_GT(changed, flat.width * flat.height / 20) << view.name;
+      // Pixels beside the horizon are the same to the last bit.
+      double const dip = std::acos(kEarthEquatorialRadius.si / r);
+      for (int y = 0; y < flat.height; ++y)
+        for (int x = 0; x < flat.width; ++x) {
+          auto const look = flat.directionAt(x + 0.5, y + 0.5);
+          glm::dvec3 const d = body.bodyFromCamera.matrix * look->u;
+          auto const i = static_cast<std::size_t>(4 * (y * flat.width + x) + 1);
+          if (std::fabs(std::asin(d.x) + dip) < 2.0 * flat.pixelAngle().si) {
+            ASSERT_EQ(rgba[i], one[i]) << view.name;
+          }
+        }
+    }
+    pass.useAirScale(1);
+  }
+}
+
+TEST_F(Bodies, ShareNoSamplesOfTheAirInAnEclipse) {
+  BodiesPass pass(noImage, quickQuality());
+  Projection const flat{ProjectionKind::Perspective, 60.0 * degree, 160, 90};
+  double const r = kEarthEquatorialRadius.si + 1e6;
+  auto body = earthFrom({r, 0, 0}, {-1, 0.3, 0}, {0, 0, 1}, {1, 1, 0}, flat);
+  body.casters.push_back(
+      {"Moon",
+       {body.sun.m * (3.844e8 / glm::length(body.sun.m))},
+       ShadowConvention::named("iau", "test").radiiOf("Moon", 1737.4 * kilometre),
+       {{0.0, 0.0, 1.0}, 1.0},
+       ""});
+  glm::vec4 const black(0.0f, 0.0f, 0.0f, 1.0f);
+  auto const fine = picture(pass, body, flat, black);
+  pass.useAirScale(4);
+  EXPECT_EQ(picture(pass, body, flat, black), fine);
+}
+
+// Parts of a large picture share the samples of the whole.
+TEST_F(Bodies, ShareTheSameSamplesInPartsOfAPicture) {
+  BodiesPass pass(noImage, quickQuality());
+  pass.useAirScale(4);
+  Projection const whole{ProjectionKind::Perspective, 60.0 * degree, 320, 180};
+  double const r = kEarthEquatorialRadius.si + 1e6;
+  auto const body = earthFrom({r, 0, 0}, {-1, 0.3, 0}, {0, 0, 1}, {1, 1, 0}, whole);
+  auto const all = picture(pass, body, whole, glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
+  glm::ivec2 const origin(101, 51), size(97, 63);
+  auto const target = gl::Texture::plane(GL_RGBA32F, size.x, size.y);
+  gl::Framebuffer const framebuffer({&target});
+  framebuffer.bind();
+  glClear(GL_COLOR_BUFFER_BIT);
+  gl::Buffer view;
+  view.write(gl::viewBlockOf(whole, origin));
+  view.bindUniform(0);
+  pass.draw(body, whole, origin, size);
+  auto const part = target.readRgba();
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      float const expected =
+          all[static_cast<std::size_t>(4 * ((y + origin.y) * whole.width + x + origin.x) + 1)];
+      // Rounding of texture coordinates.
+      ASSERT_NEAR(part[static_cast<std::size_t>(4 * (y * size.x + x) + 1)], expected,
+                  1e-4f * expected)
+          << x << ", " << y;
+    }
 }
 
 }  // namespace

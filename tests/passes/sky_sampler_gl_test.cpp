@@ -1,10 +1,12 @@
 // The programs' sky against the Monte Carlo reference.
 #include "passes/sky_sampler.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -50,6 +52,29 @@ std::string groupOf(const Row& r) {
 
 TEST(AirQuality, DefaultsAreThePresetBalanced) {
   EXPECT_EQ(AirQuality{}, AirQuality::preset("balanced"));
+}
+
+TEST(AirQuality, RefusesAScaleThatIsNoPowerOfTwo) {
+  auto const file = std::filesystem::temp_directory_path() / "antumbra_air_quality_test.toml";
+  auto const refusal = [&](const std::string& line) -> std::string {
+    std::ofstream(file) << line << "\n";
+    try {
+      (void)AirQuality::read(Document::load(file).root());
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  using testing::AllOf;
+  using testing::HasSubstr;
+  EXPECT_EQ(refusal("air_scale = 2"), "accepted");
+  EXPECT_THAT(refusal("air_scale = 3"),
+              AllOf(HasSubstr(":1"), HasSubstr("3"), HasSubstr("1, 2, 4")));
+  EXPECT_THAT(refusal("air_scale = 0"), AllOf(HasSubstr("found 0"), HasSubstr("1 to 4")));
+  EXPECT_THAT(refusal("air_scale = 8"), HasSubstr("found 8"));
+  EXPECT_THAT(refusal("air_scale = 0.5"), HasSubstr(":1"));
+  EXPECT_THAT(refusal("air_scale = \"half\""), HasSubstr(":1"));
+  std::filesystem::remove(file);
 }
 
 TEST_F(SkySamplerGlTest, FollowsTheMonteCarloReference) {
