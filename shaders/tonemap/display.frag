@@ -4,6 +4,7 @@
 // Where an outline stands before a light far above white, the mean of a pixel's light is white as soon as
 // a hundredth of it is free, and edges would be stairs. Such pixels say in alpha what share is bright
 // (edgeMark of passes/sun_plane.glsl): each side is shown by itself, and the mean is the display's.
+// Compiled with EDGES it draws these alone, over the rest: a software renderer computes every branch.
 #include "shared/night_vision.glsl"
 #include "shared/tone_curve.glsl"
 
@@ -28,6 +29,7 @@ vec3 shownColour(vec3 light) {
   return displayColour(scene, perCandela);
 }
 
+#ifdef EDGES
 // Of the pixels around one, the darkest: what its dark side is like.
 vec3 darkestBeside(ivec2 pixel, vec3 darkest) {
   ivec2 last = textureSize(image, 0) - 1;
@@ -37,18 +39,19 @@ vec3 darkestBeside(ivec2 pixel, vec3 darkest) {
   }
   return darkest;
 }
+#endif
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec4 image_ = texelFetch(image, pixel, 0);
-  vec3 c;
-  if (image_.a > 0.0 && image_.a < 1.0) {
-    vec3 dark = darkestBeside(pixel, image_.rgb);
-    vec3 bright = (image_.rgb - (1.0 - image_.a) * dark) / image_.a;
-    c = mix(shownColour(dark), shownColour(bright), image_.a);
-  } else {
-    c = shownColour(image_.rgb);
-  }
+#ifdef EDGES
+  if (image_.a <= 0.0 || image_.a >= 1.0) discard;
+  vec3 dark = darkestBeside(pixel, image_.rgb);
+  vec3 bright = (image_.rgb - (1.0 - image_.a) * dark) / image_.a;
+  vec3 c = mix(shownColour(dark), shownColour(bright), image_.a);
+#else
+  vec3 c = shownColour(image_.rgb);
+#endif
   vec3 s = vec3(srgbEncoded(c.x), srgbEncoded(c.y), srgbEncoded(c.z));
   // A bound of 0.499 steps keeps 0 at 0 and 255 at 255 after rounding.
   float noise = gradientNoise(gl_FragCoord.xy + tileOrigin) * 0.998;

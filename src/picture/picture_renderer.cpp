@@ -57,6 +57,22 @@ SpheroidInView spheroidOf(const PlannedBody& body) {
           body.equatorialRadius, body.polarRadius};
 }
 
+// Where limbs stand before Sun or corona: the discs of bodies without air that may.
+std::vector<PixelBounds> limbsBeforeSun(const RenderPlan& plan) {
+  std::vector<PixelBounds> limbs;
+  if (!plan.drawSun) return limbs;
+  PixelBounds const sun =
+      boundsOfCap(plan.picture, plan.sun.direction, glsl::kCoronaEnd * plan.sun.angularRadius);
+  for (auto const& body : plan.bodies) {
+    if (body.coversSunItself() || norm(body.centre) > plan.sun.distance) continue;
+    PixelBounds const& b = body.bounds;
+    PixelBounds const both{std::max(b.x0, sun.x0), std::max(b.y0, sun.y0), std::min(b.x1, sun.x1),
+                           std::min(b.y1, sun.y1)};
+    if (!both.empty()) limbs.push_back(both);
+  }
+  return limbs;
+}
+
 // Copies a tile, first row at the bottom, into its place of a picture whose first row is at the
 // top.
 template <class Value>
@@ -358,6 +374,7 @@ FinishedPicture PictureRenderer::finish(const Scene& scene, const PlacedScene& p
   }
 
   s.prepare(scene, placed, plan);
+  auto const edges = limbsBeforeSun(plan);
   FinishedPicture picture;
   picture.width = width;
   picture.height = height;
@@ -372,7 +389,9 @@ FinishedPicture PictureRenderer::finish(const Scene& scene, const PlacedScene& p
       s.resize(w, h);
       s.drawTile(scene, plan, {x, y});
       if (!tiled) exposure = s.exposureOf(scene, toneMap.measure(s.linear), eye);
-      s.run("tone map", [&] { toneMap.apply(s.linear, exposure, &s.displayTarget, {x, y}); });
+      s.run("tone map", [&] {
+        toneMap.apply(s.linear, exposure, &s.displayTarget, {x, y}, true, edges);
+      });
       s.drawOverlays(plan, {x, y});
       std::vector<float> linear(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 3);
       glGetTextureImage(s.linear.id(), 0, GL_RGB, GL_FLOAT,
@@ -382,7 +401,7 @@ FinishedPicture PictureRenderer::finish(const Scene& scene, const PlacedScene& p
       for (std::size_t i = 0; i < picture.brackets.size(); ++i) {
         Exposure bracket = exposure;
         bracket.whiteLuminance *= std::exp2(-scene.display.bracketsStops[i]);
-        toneMap.apply(s.linear, bracket, &s.displayTarget, {x, y});
+        toneMap.apply(s.linear, bracket, &s.displayTarget, {x, y}, true, edges);
         s.drawOverlays(plan, {x, y});
         placeTile(s.displayed(w, h), {x, y}, {w, h}, picture, picture.brackets[i]);
       }
@@ -420,7 +439,7 @@ void PictureRenderer::show(const Scene& scene, const PlacedScene& placed, const 
   }
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, plan.picture.width, plan.picture.height);
-  toneMap.apply(s.linear, *s.liveExposure, nullptr);
+  toneMap.apply(s.linear, *s.liveExposure, nullptr, {0, 0}, true, limbsBeforeSun(plan));
   s.drawOverlays(plan, {0, 0});
 }
 

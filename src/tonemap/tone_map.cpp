@@ -28,6 +28,7 @@ gl::Definitions meterDefinitions(ProjectionKind kind) {
 ToneMap::ToneMap(ProjectionKind kind)
     : meter_(gl::Program::fullScreen("tonemap/meter.frag", meterDefinitions(kind))),
       display_(gl::Program::fullScreen("tonemap/display.frag")),
+      edges_(gl::Program::fullScreen("tonemap/display.frag", {{"EDGES", ""}})),
       cells_(gl::Texture::plane(GL_RG32F, kCellsAcross, kCellsUp, gl::Filter::Nearest)),
       cellTarget_({&cells_}) {
   setAdaptedWhite(linearSrgbFromXyz(xyzOfRelativeRadiance([](Length) { return 1.0; })));
@@ -84,19 +85,32 @@ void ToneMap::setAdaptedWhite(glm::dvec3 adaptedWhite) {
 }
 
 void ToneMap::apply(const gl::Texture& picture, Exposure exposure, const gl::Framebuffer* target,
-                    glm::ivec2 tileOrigin, bool dither) {
+                    glm::ivec2 tileOrigin, bool dither, std::span<const PixelBounds> edges) {
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
   glDisable(GL_FRAMEBUFFER_SRGB);
   if (target) target->bind();
   picture.bind(0);
-  display_.use();
-  display_.set("perCandela", static_cast<float>(1.0 / exposure.whiteLuminance))
-      .set("channelGains", channelGains_)
-      .set("tileOrigin", glm::vec2(tileOrigin))
-      .set("rodThreshold", static_cast<float>(exposure.rodThreshold.value_or(-1.0)))
-      .set("ditherSteps", dither ? 1.0f : 0.0f);
-  gl::drawFullScreen();
+  auto const draw = [&](const gl::Program& program) {
+    program.set("perCandela", static_cast<float>(1.0 / exposure.whiteLuminance))
+        .set("channelGains", channelGains_)
+        .set("tileOrigin", glm::vec2(tileOrigin))
+        .set("rodThreshold", static_cast<float>(exposure.rodThreshold.value_or(-1.0)))
+        .set("ditherSteps", dither ? 1.0f : 0.0f)
+        .use();
+    gl::drawFullScreen();
+  };
+  draw(display_);
+  for (PixelBounds const& b : edges) {
+    glm::ivec2 const low = glm::max(glm::ivec2(b.x0, b.y0) - tileOrigin, glm::ivec2(0));
+    glm::ivec2 const high = glm::min(glm::ivec2(b.x1, b.y1) - tileOrigin,
+                                     glm::ivec2(picture.width(), picture.height()));
+    if (high.x <= low.x || high.y <= low.y) continue;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(low.x, low.y, high.x - low.x, high.y - low.y);
+    draw(edges_);
+    glDisable(GL_SCISSOR_TEST);
+  }
 }
 
 }  // namespace antumbra

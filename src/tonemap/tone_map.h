@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "gl/framebuffer.h"
 #include "gl/program.h"
@@ -35,12 +36,14 @@ class ToneMap {
   // Draws `picture` (or a tile of it that begins at `tileOrigin`) into `target` of the same size,
   // an RGBA8 texture or a window (framebuffer already bound, null). Opaque. `dither` off is for
   // tests. Where the exposure is an eye's, its rods take part (shaders/shared/night_vision.glsl).
+  // `edges`: where pixels of the whole picture may be marked in alpha (display.frag).
   void apply(const gl::Texture& picture, Exposure exposure, const gl::Framebuffer* target,
-             glm::ivec2 tileOrigin = {0, 0}, bool dither = true);
+             glm::ivec2 tileOrigin = {0, 0}, bool dither = true,
+             std::span<const PixelBounds> edges = {});
 
  private:
   void drawMeter(const gl::Texture& picture);
-  gl::Program meter_, display_;
+  gl::Program meter_, display_, edges_;
   glm::vec3 channelGains_{1.0f};
   gl::Texture cells_;
   gl::Framebuffer cellTarget_;
