@@ -14,6 +14,7 @@
 #ifndef INTERFACE_AIR_GLSL
 #define INTERFACE_AIR_GLSL
 #include "shared/air_geometry.glsl"
+#include "shared/phase.glsl"
 
 #define AIR_PEAKED (AIR_CONSTITUENTS - AIR_SMOOTH)
 #define AIR_DENSITY_ROWS ((AIR_CONSTITUENTS + 3) / 4)
@@ -53,7 +54,7 @@ layout(binding = 2) uniform sampler2D airDensities;  // over sqrt(height/top), f
                                                      // slope over the level
 layout(binding = 3) uniform sampler2DArray airDepths;  // of the rest by layer, then true ones
 layout(binding = 4) uniform sampler2DArray airSource;  // a layer: harmonics, irradiance
-// Over ((1 - cosine)/2)^(1/4); by layer and constituent, rows over the blur, then that by moments.
+// Over phasePlace() of the cosine; by layer and constituent, rows over the blur, then that by moments.
 layout(binding = 5) uniform sampler2D airPhases;
 
 AirShell airShell() {
@@ -96,7 +97,7 @@ vec2 densityTexels() { return texelsOf(textureSize(airDensities, 0)).xz; }
 // Phase function of a constituent, 1/sr. `blur`: blurPlace() of the way.
 vec4 phaseOf(int constituent, int layer, float cosine, float blur) {
   ivec2 size = textureSize(airPhases, 0);
-  float x = sqrt(sqrt(clamp(0.5 - 0.5 * cosine, 0.0, 1.0)));
+  float x = phasePlace(cosine);
 #ifdef AIR_HAZY
   float row = float((layer * AIR_CONSTITUENTS + constituent) * (AIR_PHASE_LEVELS + 1)) + blur;
 #else

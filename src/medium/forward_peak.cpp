@@ -23,6 +23,15 @@ struct Nodes {
       areas.push_back(2.0 * kPi * 8.0 * x3 * xEnd / count);
     }
   }
+  // Of the whole sphere, dense backward too.
+  static Nodes whole(int count) {
+    Nodes all(std::pow(0.5, 0.25), count);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+      all.cosines.push_back(-all.cosines[i]);
+      all.areas.push_back(all.areas[i]);
+    }
+    return all;
+  }
 };
 
 // Sum over nodes of values times P_l, l = 0 to `most`.
@@ -58,7 +67,7 @@ double legendreSum(const std::vector<double>& coefficients, double x) {
 
 ForwardPeak::ForwardPeak(const PhaseFunction& phase, Length wavelength, int degree, bool apart)
     : phase_(phase), wavelength_(wavelength) {
-  Nodes const all(1.0, 2000);
+  Nodes const all = Nodes::whole(1200);
   std::vector<double> values;
   for (double c : all.cosines) values.push_back(phase.at(wavelength, c));
   auto found = moments(all, values, degree + 1);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kDensityTexels = 1024;
 constexpr float kLargestHalf = 65504.0f;  // IEEE 754-2019, binary16
-constexpr int kPhaseTexels = 768;
+constexpr int kPhaseTexels = 896;
 // Vertical optical depth of peaked constituents together, mean over the wavelengths.
 constexpr double kThinHaze = 0.08;
 // Thick air takes this many orders more for each square of its vertical scattering depth, as light
@@ -322,7 +322,7 @@ void AirTables::buildPhases(const Medium& medium, const std::vector<std::size_t>
   int const rowsEach = hazy_ ? kPhaseLevels + 1 : 1, rows = layers_ * constituents_ * rowsEach;
   std::vector<double> cosines;
   for (int i = 0; i < kPhaseTexels; ++i)
-    cosines.push_back(1.0 - 2.0 * std::pow(static_cast<double>(i) / (kPhaseTexels - 1), 4.0));
+    cosines.push_back(glsl::phaseCosine(static_cast<double>(i) / (kPhaseTexels - 1)));
   std::vector<float> texels(static_cast<std::size_t>(kPhaseTexels * rows * 4), 0.0f);
   auto const put = [&](int row, std::size_t k, const std::vector<double>& values) {
     for (std::size_t i = 0; i < values.size(); ++i)
