@@ -14,7 +14,7 @@
 #ifndef INTERFACE_AIR_GLSL
 #define INTERFACE_AIR_GLSL
 #include "shared/air_geometry.glsl"
-#include "shared/phase.glsl"
+#include "shared/phase_place.glsl"
 
 #define AIR_PEAKED (AIR_CONSTITUENTS - AIR_SMOOTH)
 #define AIR_DENSITY_ROWS ((AIR_CONSTITUENTS + 3) / 4)

@@ -4,7 +4,9 @@
 // peaked constituents' single scattering is kept apart without its phase function.
 //
 // Samples are Gauss-Legendre nodes in u (air.glsl, nodeOnLeg) along each leg: dense where air is dense
-// and where a ray is tangent.
+// and where a ray is tangent. In air thicker than light reaches (AIR_THICK) they lie on the part of the
+// leg that is seen, dense toward the camera, and between them the source over the extinction is linear
+// in the optical depth: exact where light diffuses, however coarse the steps are.
 //   BODY_SUNLIT, BODY_DUSK, BODY_NIGHT  every ray meets the ground; with the Sun above 7 degrees
 //   BODY_SKY                            none does
 #ifndef INTERFACE_AIR_MARCH_GLSL
@@ -48,9 +50,15 @@ const int kDrawnDegree = AIR_DEGREE;
 #if defined(AIR_HAZY) && !defined(AIR_VOLUME) && !defined(AIR_NORMALISED)
 #define AIR_NORMALISED
 #endif
+#ifdef AIR_THICK  // weighs its samples by what they take away
+#undef AIR_NORMALISED
+#endif
+// Optical depth beyond which thick air is not marched, and steps on the way for each sample of a leg.
+const float kReach = 20.0;
+const int kThickSteps = 2;
 
 // One program for rays that take few samples, many, or some of both (air_geometry.glsl).
-#if defined(AIR_FEW_HARMONICS) && !defined(AIR_HAZY) && !defined(BODY_GROUND) && !defined(BODY_SKY)
+#if defined(AIR_FEW_HARMONICS) && !defined(AIR_HAZY) && !defined(AIR_THICK) && !defined(BODY_GROUND) && !defined(BODY_SKY)
 #define AIR_PASSAGE
 #endif
 
@@ -189,6 +197,26 @@ vec4 volumeLight(VolumePlace place, int layer);
 #endif
 
 #ifdef AIR_SOURCE
+#ifdef AIR_THICK
+// Light falls exponentially where air absorbs: its mean by the cubic through four levels over that
+// between two, by which all degrees are corrected.
+vec4 cubicOverLinear(vec2 place, ivec2 size, int layer) {
+  float row = place.y * float(size.y) - 0.5;
+  float low = clamp(floor(row), 0.0, float(size.y - 2)), t = clamp(row - low, 0.0, 1.0);
+  vec4 at[4];
+  for (int i = 0; i < 4; ++i)
+    at[i] = sourceAt(vec2(place.x, (clamp(low + float(i - 1), 0.0, float(size.y - 1)) + 0.5) / float(size.y)),
+                     harmonicSlice(layer, 0));
+  if (low < 0.5) at[0] = 2.0 * at[1] - at[2];
+  if (low > float(size.y) - 2.5) at[3] = 2.0 * at[2] - at[1];
+  vec4 linear = mix(at[1], at[2], t);
+  // Lagrange's polynomial less the line.
+  vec4 bend = t * (1.0 - t) * ((2.0 - t) * (at[1] - 0.5 * (at[0] + at[2])) + (1.0 + t) * (at[2] - 0.5 * (at[1] + at[3]))) / 3.0;
+  vec4 most = 0.25 * min(abs(at[1]), abs(at[2]));
+  bend = clamp(bend, -most, most);
+  return mix(vec4(1.0), 1.0 + bend / linear, greaterThan(at[1] * at[2], vec4(0.0)));
+}
+#endif
 // Radiance that has been scattered (or reflected by the ground) before, as its parts of each degree
 // in one direction, 1/sr.
 struct SourceParts {
@@ -259,6 +287,51 @@ vec4 sourceOf(SourceParts parts, int degree, int i) {
 }
 #endif
 
+#ifdef AIR_THICK
+// Optical depth from the camera to u on a leg; `before` and `topRise` as in marchLeg.
+vec4 depthOnLeg(AirLeg leg, LegSpan span, float topRise, float u, vec4 texels, vec4 before, int layer) {
+  AirShell shell = airShell();
+  AirPoint p = pointOnLeg(shell, leg, 0.0, nodeOnLeg(leg, span, u).height);
+  DepthRow row = depthRow(shell, p.height);
+  vec2 place = onTexels(depthCoordinatesAt(shell, row, row.gain / max(topRise + p.rise, 1e-9)), texels);
+  return max(before - leg.sense * depthAt(place, layer), vec4(0.0));
+}
+
+// Where on the way from u = `from` to `to` the thinnest wavelength is kReach deep.
+float seenTo(AirLeg leg, LegSpan span, float topRise, float from, float to, vec4 texels,
+             vec4 before[AIR_LAYERS]) {
+  float near = from, far = to;
+  for (int i = 0; i < 8; ++i) {
+    float u = i == 0 ? to : 0.5 * (near + far);
+    float least = 1e30;
+    for (int layer = 0; layer < AIR_LAYERS; ++layer) {
+      vec4 depth = depthOnLeg(leg, span, topRise, u, texels, before[layer], layer);
+      least = min(least, min(min(depth.x, depth.y), min(depth.z, depth.w)));
+    }
+    if (least <= kReach) near = u; else far = u;
+    if (near == to) break;
+  }
+  return far;
+}
+
+// Share of light from a step of optical depth d in which the source is linear, by its near end and its
+// far end.
+float placeOfNode(AirLeg leg, float t) { return leg.sense > 0.0 ? t : t * t; }
+struct StepShares {
+  vec4 near;
+  vec4 far;
+};
+StepShares stepShares(vec4 d) {
+  vec4 left = exp(-d);
+  vec4 mean = (1.0 - left) / max(d, vec4(1e-3));
+  bvec4 thick = greaterThan(d, vec4(0.05));
+  StepShares shares;  // series where the difference of close numbers would tell nothing
+  shares.near = mix(d * (0.5 - d * (1.0 / 6.0 - d * (1.0 / 24.0 - d / 120.0))), 1.0 - mean, thick);
+  shares.far = mix(d * (0.5 - d * (1.0 / 3.0 - d * (0.125 - d / 30.0))), mean - left, thick);
+  return shares;
+}
+#endif
+
 vec3 placeOnLeg(AirRay ray, AirLeg leg, float fromLow) {
   return ray.start + ray.direction * (leg.lowDistance + leg.sense * fromLow);
 }
@@ -297,13 +370,38 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, int first, int end, bo
     }
   }
 #endif
+#ifdef AIR_THICK
+  float from = leg.sense > 0.0 ? u0 : u1, to = leg.sense > 0.0 ? u1 : u0;
+  to = seenTo(leg, span, topRise, from, to, depths, before);
+  vec4 here[AIR_LAYERS], left[AIR_LAYERS];  // depth of this node; what the step before leaves to it
+  for (int layer = 0; layer < AIR_LAYERS; ++layer) {
+    here[layer] = depthOnLeg(leg, span, topRise, from, depths, before[layer], layer);
+    left[layer] = vec4(0.0);
+  }
+  int last = kThickSteps * (end - first);
+  float overLast = 1.0 / float(last);
+#ifdef AIR_SOURCE
+  ivec2 sourceSize = textureSize(airSource, 0).xy;
+#endif
+#endif
   // Loops test at their end: a software renderer runs the body once more where they test before it.
+#ifdef AIR_THICK
+  int n = 0;
+#else
   int n = first;
+#endif
   do {
+#ifdef AIR_THICK
+    float u = mix(from, to, placeOfNode(leg, float(n) * overLast));
+    float uNext = mix(from, to, placeOfNode(leg, min(float(n + 1) * overLast, 1.0)));
+#else
     float u = mix(u0, u1, nodes[n].x);
+#endif
     LegNode node = nodeOnLeg(leg, span, u);
     AirPoint p = pointOnLeg(shell, leg, ray.sunAlong, node.height);
+#ifndef AIR_THICK
     float distance = (u1 - u0) * nodes[n].y * node.step / max(p.cosine, 1e-9);
+#endif
     float root = rootHeight(shell, p.height);
     AirDensities d = densitiesAt(root * densities.x + densities.y);
     DepthRow row = depthRow(shell, p.height);
@@ -329,12 +427,23 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, int first, int end, bo
     float peakedHere = 0.0;
 #endif
     for (int layer = 0; layer < AIR_LAYERS; ++layer) {
-      vec4 depth = max(before[layer] - leg.sense * depthAt(viewPlace, layer), vec4(0.0));
-      vec4 weight = distance * exp(-depth);
-#ifdef AIR_NORMALISED
+#if defined(AIR_NORMALISED) || defined(AIR_THICK)
       vec4 takes = vec4(0.0);
       for (int c = 0; c < AIR_CONSTITUENTS; ++c)
         takes += restExtinction(layer * AIR_CONSTITUENTS + c) * d.of[c];
+#endif
+#ifdef AIR_THICK
+      vec4 next = max(depthOnLeg(leg, span, topRise, uNext, depths, before[layer], layer), here[layer]);
+      StepShares shares = stepShares(next - here[layer]);
+      vec4 reaches = exp(-here[layer]);
+      vec4 weight = (left[layer] + reaches * shares.near) / max(takes, vec4(1e-20));
+      left[layer] = reaches * shares.far;
+      here[layer] = next;
+#else
+      vec4 depth = max(before[layer] - leg.sense * depthAt(viewPlace, layer), vec4(0.0));
+      vec4 weight = distance * exp(-depth);
+#endif
+#ifdef AIR_NORMALISED
       light.taken[layer] += weight * takes;
 #endif
 #ifdef AIR_SINGLE
@@ -372,7 +481,14 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, int first, int end, bo
       light.joint[layer] += sun * once;
 #endif
 #ifdef AIR_SOURCE
+#ifdef AIR_THICK
+      more *= cubicOverLinear(sourcePlace, sourceSize, layer);
+#endif
+#if defined(AIR_THICK) && defined(AIR_BY_MOMENTS)
+      light.joint[layer] += weight * more;  // also of differences
+#else
       light.joint[layer] += weight * max(more, vec4(0.0));
+#endif
 #endif
 #ifdef AIR_VOLUME
       vec4 scatters = vec4(0.0);
@@ -388,7 +504,11 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, int first, int end, bo
     light.forward += peakedHere * 0.25 * max(dot(forward, vec4(1.0)), 0.0);
     light.forwardWeight += peakedHere;
 #endif
+#ifdef AIR_THICK
+  } while (++n <= last);
+#else
   } while (++n < end);
+#endif
 }
 
 // Distances along a ray at which to begin a new set of samples; negative: none.
@@ -417,7 +537,7 @@ AirLight marchLegs(AirRay ray, AirWay way, WayEnds ends, AirCuts cuts) {
 #endif
 #ifdef BODY_GROUND
   {
-#if defined(BODY_SUNLIT) && !defined(AIR_HAZY)
+#if defined(BODY_SUNLIT) && !defined(AIR_HAZY) && !defined(AIR_THICK)
     const bool sparse = true;
     int first = nodeCount.x, end = nodeCount.x + nodeCount.y;
 #else

@@ -29,19 +29,6 @@ Number cornetteShanksPhase(Number cosine, Number g) {
          (8.0 * kPi * (2.0 + g * g) * base * sqrt(base));
 }
 
-// Where a table of phase functions holds a cosine, from 0 to 1, dense toward straight on and straight
-// back: quartic on either side of a right angle, which stands at kForwardShare.
-const Number kForwardShare = 0.72;
-Number phasePlace(Number cosine) {
-  Number root = sqrt(sqrt(clamp(1.0 - abs(cosine), 0.0, 1.0)));
-  return cosine > 0.0 ? kForwardShare * root : 1.0 - (1.0 - kForwardShare) * root;
-}
-Number phaseCosine(Number place) {
-  Number root = place < kForwardShare ? place / kForwardShare : (1.0 - place) / (1.0 - kForwardShare);
-  Number gap = 1.0 - root * root * root * root;
-  return place < kForwardShare ? gap : -gap;
-}
-
 // Two Henyey-Greenstein lobes (Kattawar 1975): `forwardShare` of the light in the first.
 Number doubleHenyeyGreensteinPhase(Number cosine, Number forwardG, Number backwardG,
                                    Number forwardShare) {

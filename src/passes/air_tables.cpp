@@ -10,8 +10,18 @@
 
 #include "medium/forward_peak.h"
 #include "passes/gauss_legendre.h"
+#include "passes/thick_air.h"
 #include "photometry/spectral_weights.h"
 #include "shared/as_cpp.h"
+
+#define GLSL_AS_CPP
+namespace antumbra::glsl {
+namespace {
+#include "shared/phase_place.glsl"
+[[maybe_unused]] auto const kForShaders = &phasePlace;
+}  // namespace
+}  // namespace antumbra::glsl
+#undef GLSL_AS_CPP
 
 namespace antumbra {
 namespace {
@@ -21,12 +31,14 @@ constexpr float kLargestHalf = 65504.0f;  // IEEE 754-2019, binary16
 constexpr int kPhaseTexels = 896;
 // Vertical optical depth of peaked constituents together, mean over the wavelengths.
 constexpr double kThinHaze = 0.08;
-// Thick air takes this many orders more for each square of its vertical scattering depth, as light
-// that walks at random does, up to so many in all.
+// This many orders more for each square of the vertical depth of what turns light, as light that
+// walks at random takes.
 constexpr double kOrdersPerSquare = 1.0;
-constexpr int kMostOrders = 20;
-constexpr double kThickAir = 3.0;  // vertical optical depth
-constexpr int kPhaseLevels = 12;   // of blur by forward peaks
+// Vertical optical depth beyond which air is thick, and how its light is solved for.
+constexpr double kThickAir = 3.0;
+constexpr int kMostSteps = 10;
+constexpr double kEnoughChange = 1e-3;
+constexpr int kPhaseLevels = 12;  // of blur by forward peaks
 
 bool scatters(const Constituent& c) {
   return !c.scattering.isConstant() || c.scattering.at(550.0 * nanometre) > 0.0;
@@ -221,27 +233,33 @@ AirTables::AirTables(const Medium& medium, Length groundRadius,
     }
     turning = std::max(turning, depth);
   }
-  // In thick air steps are longer than light reaches: pictures, too, are held to what is missing.
   double thickest = 0.0;
   for (Length w : wavelengths_) {
     double depth = 0.0;
     for (std::size_t c = 0; c < medium.constituents.size(); ++c) depth += medium.opticalDepth(c, w);
     thickest = std::max(thickest, depth);
   }
-  if (thickest > kThickAir) definitions_.emplace_back("AIR_NORMALISED", "");
+  thick_ = thickest > kThickAir;
+  if (thick_) {
+    definitions_.emplace_back("AIR_THICK", "");
+    quality_.depthWidth *= 2;
+    quality_.depthHeight *= 2;
+    // Many heights, fewer directions and Suns: what diffuses has little form.
+    quality_.sourceHeight *= 2;
+    quality_.sourceWidth = std::min(quality_.sourceWidth, 64);
+    quality_.zenithDirections = std::min(quality_.zenithDirections, 12);
+    quality_.azimuthDirections = std::min(quality_.azimuthDirections, 6);
+  }
   // 0 orders mean single scattering, whatever the air.
-  int const more = static_cast<int>(
-      std::min(kOrdersPerSquare * turning * turning, static_cast<double>(kMostOrders)));
-  orders_ = quality_.orders == 0
-                ? 0
-                : std::max(quality_.orders, std::min(quality_.orders + more, kMostOrders));
+  int const more = thick_ ? 0 : static_cast<int>(kOrdersPerSquare * turning * turning);
+  orders_ = quality_.orders == 0 ? 0 : quality_.orders + more;
   auto block =
       airBlockOf(&medium, wavelengths_, groundRadius, lowestSunCosine_, sunRadius, order, phases);
   block_.write(std::span<const glm::vec4>(block));
   buildDensities(medium, order, phases);
   buildPhases(medium, order, phases);
   buildDepths();
-  buildSource();
+  buildSource(medium, order, phases);
   measureSource();
   if (quality_.storage == AirStorage::Half) {
     block[1].w = halve();
@@ -253,7 +271,8 @@ AirTables::AirTables(const Medium& medium, Length groundRadius,
 }
 
 // Levels of the source over the root of height, as table: half of them even in that root, half in
-// the logarithm of the optical depth above, so that hazes and clouds have theirs.
+// the logarithm of the optical depth above, so that hazes and clouds have theirs; in thick air more
+// by depth, and more of these where sunlight comes in.
 std::vector<double> AirTables::sourceLevels(const Medium& medium,
                                             const std::vector<std::size_t>& order,
                                             const AirPhases& phases) const {
@@ -272,14 +291,15 @@ std::vector<double> AirTables::sourceLevels(const Medium& medium,
   };
   auto const scaled = [&](double height) {
     double const depth = depthAbove(height);
-    return std::log1p(8.0 * depth) + 0.4 * depth;
+    return (thick_ ? 2.0 : 1.0) * std::log1p(8.0 * depth) + 0.4 * depth;
   };
+  double const share = thick_ ? 0.75 : 0.5;
   double const all = scaled(0.0);
   std::vector<double> levels;
   for (int i = 0; i < kDensityTexels; ++i) {
     double const x = static_cast<double>(i) / (kDensityTexels - 1);
     double const dense = all > 0.0 ? 1.0 - scaled(x * x * medium.topHeight.si) / all : x;
-    levels.push_back(0.5 * (x + dense));
+    levels.push_back(std::lerp(x, dense, share));
   }
   return levels;
 }
@@ -400,13 +420,29 @@ void AirTables::buildDepths() {
   glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 
-void AirTables::buildSource() {
+std::vector<double> AirTables::sourceHeights(const std::vector<double>& levels) const {
+  std::vector<double> heights;
+  std::size_t k = 0;
+  for (int row = 0; row < quality_.sourceHeight; ++row) {
+    double root = static_cast<double>(row) / (quality_.sourceHeight - 1);
+    if (hazy_) {
+      while (k + 2 < levels.size() && levels[k + 1] < root) ++k;
+      double const within = std::clamp((root - levels[k]) / (levels[k + 1] - levels[k]), 0.0, 1.0);
+      root = (static_cast<double>(k) + within) / (kDensityTexels - 1);
+    }
+    heights.push_back(top_.si * std::min(root * root, 0.9999));
+  }
+  return heights;
+}
+
+void AirTables::buildSource(const Medium& medium, const std::vector<std::size_t>& order,
+                            const AirPhases& phases) {
   int const width = quality_.sourceWidth, height = quality_.sourceHeight;
   int const directions = quality_.zenithDirections * quality_.azimuthDirections;
   // Harmonics and the irradiance.
   int const moments = (degree_ + 1) * (degree_ + 2) / 2 + 1;
   source_ = gl::Texture::layers(GL_RGBA32F, width, height, moments * layers_);
-  auto const previous = gl::Texture::layers(GL_RGBA32F, width, height, moments * layers_);
+  auto previous = gl::Texture::layers(GL_RGBA32F, width, height, moments * layers_);
   auto const radiances = gl::Texture::layers(GL_RGBA32F, width, height, directions * layers_);
   if (quality_.orders == 0) {  // sunlight scattered once alone: no source
     glClearTexImage(source_.id(), 0, GL_RGBA, GL_FLOAT, nullptr);
@@ -429,24 +465,49 @@ void AirTables::buildSource() {
   auto const groupsX = static_cast<GLuint>((width + 7) / 8);
   auto const groupsY = static_cast<GLuint>((height + 3) / 4);
   glm::ivec2 const counts(quality_.zenithDirections, quality_.azimuthDirections);
-  for (int order = 1; order <= orders_; ++order) {
+  // Harmonics into `previous`, and into the source: their sum over the orders up to `number`.
+  auto const scatter = [&](const gl::Program& program, int number, int last) {
     bind();
     nodes.bind();
     zenith.bindUniform(4);
-    if (order > 1) previous.bind(4);
-    auto const& program = order == 1 ? first : next;
+    if (&program == &next) previous.bind(4);
     program.set("directionCount", counts).use();
     radiances.bindImage(0, GL_WRITE_ONLY);
     glDispatchCompute(groupsX, groupsY, static_cast<GLuint>(directions));
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
-    project.set("directionCount", counts).set("order", order).set("lastOrder", orders_).use();
+    project.set("directionCount", counts).set("order", number).set("lastOrder", last).use();
     radiances.bindImage(0, GL_READ_ONLY);
     previous.bindImage(1, GL_READ_WRITE);
     source_.bindImage(2, GL_READ_WRITE);
     glDispatchCompute(groupsX, groupsY, static_cast<GLuint>(layers_));
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     glFinish();
+  };
+  if (!thick_) {
+    for (int number = 1; number <= orders_; ++number)
+      scatter(number == 1 ? first : next, number, orders_);
+    return;
   }
+  std::vector<double> sunCosines;
+  for (int column = 0; column < width; ++column)
+    sunCosines.push_back(
+        glsl::sourceSunCosine(glsl::sunSpan(lowestSunCosine_), column / (width - 1.0)));
+  scatter(first, 1, 0);
+  auto const once = source_.readRgba();
+  ThickAirSolver solver(
+      thickAirGrid(medium, order, phases, wavelengths_, groundRadius_,
+                   sourceHeights(sourceLevels(medium, order, phases)), sunCosines, moments),
+      once);
+  int step = 1;
+  do {
+    previous.upload(solver.direction(), 4);
+    scatter(next, 1, 0);
+    solver.advance(source_.readRgba());
+    ++step;
+  } while (step < kMostSteps && solver.change() > kEnoughChange);
+  orders_ = step;
+  lastChange_ = solver.change();
+  source_.upload(solver.light(), 4);
 }
 
 namespace {
@@ -486,7 +547,8 @@ double AirTables::brightnessUnder(double sunCosine) const {
 }
 
 float AirTables::halve() {
-  depths_ = halved(depths_, 1.0f, true);
+  // Thick air tells near depths by differences of large ones.
+  if (!thick_) depths_ = halved(depths_, 1.0f, true);
   phases_ = halved(phases_, 1.0f, false);
   float most = 1e-30f;
   for (float value : source_.readRgba()) most = std::max(most, std::fabs(value));

@@ -7,7 +7,8 @@
 // to `degree`. For molecules two are exact (their phase function has no others). Of peaked
 // constituents the forward peak counts as no scattering (medium/forward_peak.h): the depths that
 // light is marched with leave it out, and sunlight scattered once keeps it, blurred by the peaks on
-// its way. Errors: configs/quality/README.md.
+// its way. In air thicker than light reaches the orders converge too slowly: there their fixed
+// point is solved for (passes/thick_air.h). Errors: configs/quality/README.md.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -57,6 +58,10 @@ class AirTables {
   const AirQuality& quality() const { return quality_; }
   std::size_t bytes() const;
   double precomputeSeconds() const { return precomputeSeconds_; }
+  // Orders or, in thick air, steps that the source took, and what the last still changed
+  // (ThickAirSolver::change()).
+  int orders() const { return orders_; }
+  double lastChange() const { return lastChange_; }
   // The brightest mean radiance at any height under a Sun of this zenith angle over that of any
   // Sun.
   double brightnessUnder(double sunCosine) const;
@@ -71,7 +76,10 @@ class AirTables {
   void buildPhases(const Medium& medium, const std::vector<std::size_t>& order,
                    const AirPhases& phases);
   void buildDepths();
-  void buildSource();
+  // Of the source's rows, m.
+  std::vector<double> sourceHeights(const std::vector<double>& levels) const;
+  void buildSource(const Medium& medium, const std::vector<std::size_t>& order,
+                   const AirPhases& phases);
   // Tables in 16 bits; returns the radiance of a value of the source.
   float halve();
   void measureSource();
@@ -84,8 +92,10 @@ class AirTables {
   int constituents_ = 0;
   int peaked_ = 0;
   bool hazy_ = false;
+  bool thick_ = false;
   int degree_ = 2;
   int orders_ = 0;
+  double lastChange_ = 0.0;
   gl::Definitions definitions_;
   gl::Buffer block_;
   gl::Texture densities_, phases_, depths_, source_;
