@@ -345,7 +345,19 @@ BodyLight bodyLight(vec3 cameraRay) {
   vec3 emitted = vec3(0.0);
   vec4 through[AIR_LAYERS];
 #ifdef AIR
+#if defined(AIR_SKY) && !defined(BODY_GROUND) && !defined(BODY_SKY)
+  // Ground in a part of the pixel beyond whose middle is sky is seen through the air before it alone.
+  WayEnds groundEnds = ends;
+  if (cover > 0.0 && !way.hitsGround) {
+    AirRay grazing = air;
+    grazing.groundRoot = 1e-3;
+    grazing.rise = min(air.rise, -1e-3);
+    groundEnds = endsOf(grazing, wayOf(grazing));
+  }
+  for (int layer = 0; layer < AIR_LAYERS; ++layer) through[layer] = exp(-depthOfWay(groundEnds, layer));
+#else
   for (int layer = 0; layer < AIR_LAYERS; ++layer) through[layer] = exp(-depthOfWay(ends, layer));
+#endif
 #else
   for (int layer = 0; layer < AIR_LAYERS; ++layer) through[layer] = vec4(1.0);
 #endif
@@ -384,8 +396,16 @@ BodyLight bodyLight(vec3 cameraRay) {
 #ifdef AIR_SKY
   vec2 place = skyPlace(ray.direction, way.hitsGround);
   float blur = blurOnSky(place);
+  // The horizon's pixels: the light before the ground and that of the sky beyond, each by its share.
+  float own = way.hitsGround ? cover : 1.0 - cover;
+  if (own < 1.0) {
+    vec2 other = skyPlace(ray.direction, !way.hitsGround);
+    float otherBlur = blurOnSky(other);
+    for (int layer = 0; layer < AIR_LAYERS; ++layer)
+      light[layer] += (1.0 - own) * skyLight(other, layer, air.sunAlong, otherBlur);
+  }
   for (int layer = 0; layer < AIR_LAYERS; ++layer)
-    light[layer] += skyLight(place, layer, air.sunAlong, blur);
+    light[layer] += own * skyLight(place, layer, air.sunAlong, blur);
 #else
   AirLight scattered = lightAlong(air, way, ends, noCuts());
   for (int layer = 0; layer < AIR_LAYERS; ++layer) light[layer] += scattered.joint[layer];
@@ -402,6 +422,9 @@ BodyLight bodyLight(vec3 cameraRay) {
   if (hits) {
     result.transmittance = vec3(0.0);
   } else {
+#if defined(AIR_SKY) && !defined(BODY_GROUND) && !defined(BODY_SKY)
+    for (int layer = 0; layer < AIR_LAYERS; ++layer) through[layer] = exp(-depthOfWay(ends, layer));
+#endif
 #ifdef AIR_HAZY
     // What lies behind is seen past the forward peaks too.
     for (int layer = 0; layer < AIR_LAYERS; ++layer)
