@@ -246,34 +246,12 @@ SourceParts sourcePartsAt(vec2 at, AirPoint p, float sense, float sunAlong, vec3
   }
 #endif
 #ifdef AIR_ECLIPSED_SOURCE
-#ifdef ECLIPSED_HARMONICS
-  vec4 power = vec4(0.0);
-  vec4 even = max(parts.of[0], vec4(1e-30));
-  vec4 one = parts.of[1] / even, two = parts.of[2] / even;
-#if ECLIPSED_SOURCE > 1
-  EclipsedTogether together = eclipsedTogether(where, p.height, 0, layer);
-  power = together.power;
-#endif
-  for (int caster = 0; caster < ECLIPSED_SOURCE; ++caster) {
-    EclipsedPlace place = eclipsedPlace(caster, where, p.height);
-    EclipsedHarmonics held = eclipsedHarmonics(caster, place, where, direction, layer);
-    vec4 part = vec4(place.inside);
-#if ECLIPSED_SOURCE > 1
-    part *= together.part[caster];
-#else
-    power += place.inside * eclipsedQuantity(caster, place, 0, layer);
-#endif
-    one += part * (held.first - parts.of[1] / even);
-    two += part * (held.second - parts.of[2] / even);
-  }
-  // The grid has no higher degrees: they go with the mean.
-  for (int l = 0; l <= AIR_DEGREE; ++l) parts.of[l] *= exp2(power);
-  parts.of[1] = parts.of[0] * one;
-  parts.of[2] = parts.of[0] * two;
+#ifdef ECLIPSED_DIRECTIONS
+  vec4 share = eclipsedShareToward(where, p.height, direction, layer);
 #else
   vec4 share = eclipsedShare(where, p.height, 0, layer);
-  for (int l = 0; l <= AIR_DEGREE; ++l) parts.of[l] *= share;
 #endif
+  for (int l = 0; l <= AIR_DEGREE; ++l) parts.of[l] *= share;
 #endif
   return parts;
 }

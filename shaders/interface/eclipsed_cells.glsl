@@ -15,6 +15,9 @@ uniform ivec3 cellCount;  // distances (or Sun's zenith angles), azimuths, heigh
 
 float cellHeight(int index) {
   float z = float(index) / float(cellCount.z - 1);
+#ifdef AIR_HAZY
+  z = levelRow(z).y;
+#endif
   // The topmost lie a little inside, for rays to have air to cross.
   return airShape.y * min(z * z, 0.9999);
 }

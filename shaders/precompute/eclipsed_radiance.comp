@@ -47,7 +47,7 @@ vec4 heldOnGround(vec3 where, int layer) {
   vec2 at = eclipsedPlace(0, where, 0.0).at.xy * vec2(cellCount.xy - 1);
   ivec2 low = min(ivec2(at), cellCount.xy - 2);
   vec2 share = at - vec2(low);
-  int index = layer * ECLIPSED_QUANTITIES + 1;
+  int index = layer * 2 + 1;
   vec4 power = vec4(0.0);
   for (int i = 0; i < 4; ++i) {
     ivec2 step_ = ivec2(i & 1, i >> 1);

@@ -1,47 +1,43 @@
-// The light that the cells hold, scattered toward each of a run of directions: averaged over the
+// The light that the cells hold, scattered toward each ring of a run of directions: averaged over the
 // constituents by what each scatters there; binary logarithm over what the mean is there without the
 // eclipse. Density comes where rays are marched.
 #include "interface/eclipsed_air.glsl"
 #include "interface/eclipsed_cells.glsl"
 layout(local_size_x = 8, local_size_y = 4) in;
-layout(binding = 12) uniform sampler2DArray held;  // ten moments by layer; y: azimuth, then height
-layout(rgba32f, binding = 0) writeonly uniform image3D volume;
+layout(binding = 10) uniform sampler2DArray light;  // by direction and layer; y: azimuth, then height
 layout(binding = 11) uniform sampler2DArray uneclipsed;
+layout(binding = 12) uniform sampler2DArray held;
+layout(binding = 14) uniform sampler2DArray phases;
+layout(rgba32f, binding = 0) writeonly uniform image3D volume;
 uniform int firstDirection;
 #include "interface/air_directions.glsl"
 #include "interface/uneclipsed_light.glsl"
+#include "interface/eclipsed_scattering.glsl"
 
 void main() {
   ivec3 texel = ivec3(gl_GlobalInvocationID);
   if (texel.x >= cellCount.x || texel.y >= cellCount.y * cellCount.z) return;
   int height = texel.y / cellCount.y;
-  float h = cellHeight(height);
   float sunCosine = eclipsedCell(ivec3(texel.x, texel.y % cellCount.y, height)).sunCosine;
   vec2 free = uneclipsedPlace(sunCosine, float(height));
-  AirDirection look = airDirection(firstDirection + texel.z, horizonCosine(airShell(), h));
-  float x = look.sine * cos(look.azimuth), y = look.sine * sin(look.azimuth), z = look.cosine;
-  vec2 texels = densityTexels();
-  AirDensities d = densitiesAt(rootHeight(airShell(), h) * texels.x + texels.y);
+  int ring = firstDirection / directionCount.y + texel.z;
   for (int layer = 0; layer < AIR_LAYERS; ++layer) {
-    vec4 m[ECLIPSED_QUANTITIES];
-    for (int i = 0; i < ECLIPSED_QUANTITIES; ++i)
-      m[i] = texelFetch(held, ivec3(texel.xy, layer * ECLIPSED_QUANTITIES + i), 0);
-    vec4 first = z * m[2] + x * m[3] + y * m[4];
-    vec4 second = (1.5 * z * z - 0.5) * m[5] + x * z * m[6] + (x * x - y * y) * m[7] +
-                  y * z * m[8] + x * y * m[9];
-    vec4 sum = vec4(0.0), scatters = vec4(0.0);
-    for (int c = 0; c < AIR_CONSTITUENTS; ++c) {
-      int i = layer * AIR_CONSTITUENTS + c;
-      vec4 here = airScattering[i] * d.of[c];
-      scatters += here;
-      const int step_ = AIR_LAYERS * AIR_CONSTITUENTS;
-      sum += here * (airPhaseMoments[i] * m[0] + airPhaseMoments[step_ + i] * first +
-                     airPhaseMoments[2 * step_ + i] * second);
+    vec4 sums[ECLIPSED_TURNS_IN];
+    for (int j = 0; j < ECLIPSED_TURNS_IN; ++j) sums[j] = vec4(0.0);
+    for (int i = 0; i < directionCount.x; ++i) {
+      LightOfRing from = lightOfRing(texel.xy, i, layer);
+      PhaseOfRings phase = phaseOfRings(i, ring, height, layer);
+      for (int j = 0; j < ECLIPSED_TURNS_IN; ++j)
+        for (int k = 0; k < ECLIPSED_TURNS_IN; ++k)
+          sums[j] += phase.of[turnStep(2 * (j - k))] * from.of[k];
     }
-    vec4 light = mix(m[0], sum / max(scatters, vec4(1e-30)), greaterThan(scatters, vec4(1e-30)));
-    imageStore(volume,
-               ivec3(texel.x, texel.y % cellCount.y,
-                     (texel.z * AIR_LAYERS + layer) * cellCount.z + height),
-               log2(max(light, max(1e-3 * m[0], vec4(1e-30)))) - uneclipsedLight(free, layer, 0));
+    vec4 mean = texelFetch(held, ivec3(texel.xy, layer * 2), 0);
+    vec4 before = uneclipsedLight(free, layer, 0);
+    for (int j = 0; j < ECLIPSED_TURNS_IN; ++j) {
+      vec4 power = log2(max(sums[j], max(1e-3 * mean, vec4(1e-30)))) - before;
+      int direction = texel.z * ECLIPSED_TURNS_IN + j;
+      imageStore(volume, ivec3(texel.x, texel.y % cellCount.y,
+                               (direction * AIR_LAYERS + layer) * cellCount.z + height), power);
+    }
   }
 }

@@ -44,11 +44,11 @@ AirQuality AirQuality::read(const Table& table) {
   q.skyHeight = within(table, "sky_height", q.skyHeight, 16, 2048);
   if (q.skyHeight % 2) table.fail("sky_height", "allowed: an even number");
   q.eclipseDistances = within(table, "eclipse_distances", q.eclipseDistances, 8, 256);
-  q.eclipseAzimuths = within(table, "eclipse_azimuths", q.eclipseAzimuths, 3, 64);
+  q.eclipseAzimuths = within(table, "eclipse_azimuths", q.eclipseAzimuths, 3, 32);
   q.eclipseHeights = within(table, "eclipse_heights", q.eclipseHeights, 3, 32);
   q.eclipseZeniths = within(table, "eclipse_zeniths", q.eclipseZeniths, 4, 64);
   if (q.eclipseZeniths % 2) table.fail("eclipse_zeniths", "allowed: an even number");
-  q.eclipseTurns = within(table, "eclipse_turns", q.eclipseTurns, 4, 64);
+  q.eclipseTurns = within(table, "eclipse_turns", q.eclipseTurns, 4, 24);
   q.eclipseSamples = within(table, "eclipse_samples", q.eclipseSamples, 2, 64);
   q.eclipseOrders = within(table, "eclipse_orders", q.eclipseOrders, 2, 50);
   q.eclipseSkySamples = within(table, "eclipse_sky_samples", q.eclipseSkySamples, 2, 64);

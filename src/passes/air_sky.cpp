@@ -15,7 +15,7 @@ gl::Definitions definitionsOf(const AirTables& tables, const gl::Definitions& sh
   for (const char* flag : {"AIR_SINGLE", "AIR_SOURCE", "AIR_SEPARATE", "AIR_CUTS"})
     d.emplace_back(flag, "");
   d.insert(d.end(), shadows.begin(), shadows.end());
-  if (!shadows.empty()) d.emplace_back("ECLIPSED_HARMONICS", "");
+  if (!shadows.empty()) d.emplace_back("ECLIPSED_DIRECTIONS", "");
   d.emplace_back("AIR_SKY_FORMAT",
                  tables.quality().storage == AirStorage::Half ? "rgba16f" : "rgba32f");
   return d;

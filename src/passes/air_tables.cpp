@@ -196,14 +196,15 @@ AirTables::AirTables(const Medium& medium, Length groundRadius,
   hazy_ = haze > kThinHaze && quality_.orders > 0;
   degree_ = hazy_ ? quality_.hazeDegree : quality_.degree;
   if (hazy_) {
-    // Its many harmonics ask for half as many cells and directions again and one order more; finer
-    // ones than these cost more than they give.
+    // Its many harmonics ask for half as many cells and directions again and one order more, in an
+    // eclipse too; finer ones than these cost more than they give.
     quality_.sourceWidth = std::min(quality_.sourceWidth * 3 / 2, 96);
     quality_.sourceHeight = std::min(quality_.sourceHeight * 3 / 2, 32);
     quality_.zenithDirections = std::min(quality_.zenithDirections * 3 / 4 * 2, 16);
     quality_.azimuthDirections = std::min(quality_.azimuthDirections * 3 / 2, 8);
     quality_.sourceSamples = std::min(quality_.sourceSamples, 12);
     ++quality_.orders;
+    ++quality_.eclipseOrders;
   }
   definitions_ = {{"AIR", ""},
                   {"AIR_LAYERS", std::to_string(layers_)},

@@ -25,6 +25,9 @@ gl::Definitions inShadow(const AirTables& tables, std::initializer_list<const ch
   auto d = with(tables, flags);
   d.emplace_back("SHADOW_PAIRS", "1");
   d.emplace_back("ECLIPSED_SOURCE", "1");
+  d.emplace_back("ECLIPSED_TURNS_IN", std::to_string(tables.quality().eclipseTurns));
+  d.emplace_back("ECLIPSED_TURNS", std::to_string(eclipsedTurns(tables.quality())));
+  d.emplace_back("ECLIPSED_FORMAT", "rgba16f");
   return d;
 }
 
@@ -64,8 +67,15 @@ EclipsedAxisBlock eclipsedAxisBlock(const glsl::ShadowPair& pair, double flatten
 }
 
 glm::vec4 eclipsedShape(const AirTables& tables) {
-  return glm::vec4(kScaleOfTop * tables.top().si, tables.quality().eclipseHeights, kInsideUmbra,
-                   0.0);
+  auto const& q = tables.quality();
+  return glm::vec4(kScaleOfTop * tables.top().si, q.eclipseHeights, kInsideUmbra,
+                   q.eclipseAzimuths);
+}
+
+gl::Texture eclipsedGrid(const AirTables& tables, GLenum format, int casters) {
+  auto const& q = tables.quality();
+  return gl::Texture::volume(format, q.eclipseDistances, eclipsedTurns(q) * q.eclipseAzimuths,
+                             casters * kEclipsedSlabs * tables.layers() * q.eclipseHeights);
 }
 
 EclipsedSolver::EclipsedSolver(const AirTables& tables, LimbDarkeningLaw law,
@@ -76,7 +86,8 @@ EclipsedSolver::EclipsedSolver(const AirTables& tables, LimbDarkeningLaw law,
       next_(gl::Program::compute("precompute/eclipsed_radiance.comp",
                                  inShadow(tables, {"AIR_VOLUME", "AIR_CUTS"}))),
       volumeProgram_(gl::Program::compute("precompute/eclipsed_volume.comp", inShadow(tables, {}))),
-      moments_(gl::Program::compute("precompute/eclipsed_moments.comp", inShadow(tables, {}))),
+      hold_(gl::Program::compute("precompute/eclipsed_hold.comp", inShadow(tables, {}))),
+      shares_(gl::Program::compute("precompute/eclipsed_shares.comp", inShadow(tables, {}))),
       nodes_(tables.quality().eclipseSamples) {
   auto const& q = tables.quality();
   int const layers = tables.layers(), rows = q.eclipseAzimuths * q.eclipseHeights;
@@ -86,9 +97,10 @@ EclipsedSolver::EclipsedSolver(const AirTables& tables, LimbDarkeningLaw law,
   auto const cells = [&](int count) {
     return gl::Texture::layers(GL_RGBA32F, q.eclipseDistances, rows, count);
   };
-  held_ = cells(kEclipsedQuantities * layers);
-  first_ = cells(kEclipsedQuantities * layers);
-  lastStep_ = cells(layers);
+  held_ = cells(2 * layers);
+  first_ = cells(q.eclipseZeniths * q.eclipseTurns * layers);
+  light_ = cells(q.eclipseZeniths * q.eclipseTurns * layers);
+  lastStep_ = cells(2 * layers);
   volume_ = gl::Texture::volume(GL_RGBA32F, q.eclipseDistances, q.eclipseAzimuths,
                                 directionsAtOnce(tables) * layers * q.eclipseHeights);
   std::vector<glm::vec4> zeniths(64, glm::vec4(0.0f));
@@ -106,50 +118,70 @@ void EclipsedSolver::gather(const AirTables& tables, const gl::Program& program,
   glm::ivec2 const directions(q.eclipseZeniths, q.eclipseTurns);
   for (int firstOne = 0; firstOne < all; firstOne += most) {
     auto const count = static_cast<GLuint>(std::min(most, all - firstOne));
-    auto const dispatch = [&](const gl::Program& own) {
+    auto const dispatch = [&](const gl::Program& own, GLuint slabs) {
       own.set("directionCount", directions)
           .set("cellCount", cells)
           .set("firstDirection", firstOne)
           .use();
-      glDispatchCompute(groups(cells.x, 8), groups(cells.y * cells.z, 4), count);
+      glDispatchCompute(groups(cells.x, 8), groups(cells.y * cells.z, 4), slabs);
       glMemoryBarrier(GL_ALL_BARRIER_BITS);
     };
     if (volume) {
       volume_.bindImage(0, GL_WRITE_ONLY);
-      dispatch(volumeProgram_);
+      dispatch(volumeProgram_, count / static_cast<GLuint>(q.eclipseTurns));
     }
     radiances_.bindImage(0, GL_WRITE_ONLY);
-    dispatch(program);
+    dispatch(program, count);
   }
 }
 
 void EclipsedSolver::findUneclipsed(const AirTables& tables) {
   auto const& q = tables.quality();
-  auto const radiance =
-      gl::Program::compute("precompute/eclipsed_radiance.comp",
-                           with(tables, {"AIR_SINGLE", "AIR_SOURCE", "UNECLIPSED"}));
-  auto const moments =
-      gl::Program::compute("precompute/eclipsed_moments.comp", with(tables, {"UNECLIPSED"}));
+  auto const layers = static_cast<GLuint>(tables.layers());
+  glm::ivec2 const directions(q.eclipseZeniths, q.eclipseTurns);
   glm::ivec3 const cells(kUneclipsedHeights, 1, q.eclipseHeights);
+  int const rows = q.eclipseZeniths + kEclipsedRises;
+  auto const program = [&](const char* path, std::initializer_list<const char*> flags) {
+    auto found = gl::Program::compute(path, inShadow(tables, flags));
+    found.set("directionCount", directions).set("cellCount", cells);
+    return found;
+  };
+  auto const phases = program("precompute/eclipsed_phases.comp", {"UNECLIPSED"});
+  auto const radiance =
+      program("precompute/eclipsed_radiance.comp", {"AIR_SINGLE", "AIR_SOURCE", "UNECLIPSED"});
+  auto const hold = program("precompute/eclipsed_hold.comp", {"UNECLIPSED"});
+  auto const shares = program("precompute/eclipsed_shares.comp", {"AIR_SOURCE", "UNECLIPSED"});
+  phases_ = gl::Texture::layers(GL_RGBA32F, q.eclipseZeniths, rows,
+                                (q.eclipseTurns + 1) * cells.z * tables.layers());
   uneclipsed_ = gl::Texture::layers(GL_RGBA32F, cells.x, cells.z, 2 * tables.layers());
+  scattered_ = gl::Texture::layers(GL_RGBA32F, cells.x, cells.z,
+                                   2 * kEclipsedRises * eclipsedTurns(q) * tables.layers());
   tables.bind();
   nodes_.bind();
   zeniths_.bindUniform(4);
+  phases.use();
+  phases_.bindImage(0, GL_WRITE_ONLY);
+  glDispatchCompute(groups(rows, 8), static_cast<GLuint>(cells.z), layers);
+  glMemoryBarrier(GL_ALL_BARRIER_BITS);
   gather(tables, radiance, cells, false);
-  moments.set("directionCount", glm::ivec2(q.eclipseZeniths, q.eclipseTurns))
-      .set("cellCount", cells)
-      .use();
+  hold.use();
   radiances_.bindImage(0, GL_READ_ONLY);
   uneclipsed_.bindImage(1, GL_READ_WRITE);
-  glDispatchCompute(groups(cells.x, 8), groups(cells.z, 4), static_cast<GLuint>(tables.layers()));
+  glDispatchCompute(groups(cells.x, 8), groups(cells.z, 4), layers);
+  glMemoryBarrier(GL_ALL_BARRIER_BITS);
+  shares.use();
+  radiances_.bind(10);
+  phases_.bind(14);
+  scattered_.bindImage(0, GL_WRITE_ONLY);
+  glDispatchCompute(groups(cells.x, 8), groups(cells.z, 4), kEclipsedRises);
   glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 
 gl::Texture EclipsedSolver::solve(const AirTables& tables, const glsl::ShadowPair& pair) {
   auto const& q = tables.quality();
   glm::ivec3 const cells(q.eclipseDistances, q.eclipseAzimuths, q.eclipseHeights);
-  gl::Texture grid = gl::Texture::volume(GL_RGBA32F, cells.x, cells.y,
-                                         cells.z * kEclipsedQuantities * tables.layers());
+  glm::ivec2 const directions(q.eclipseZeniths, q.eclipseTurns);
+  GLuint const columns = groups(cells.x, 8), rows = groups(cells.y * cells.z, 4);
   struct Block {
     EclipsedAxisBlock axis;
     glm::vec4 shape;
@@ -161,30 +193,36 @@ gl::Texture EclipsedSolver::solve(const AirTables& tables, const glsl::ShadowPai
   nodes_.bind();
   zeniths_.bindUniform(4);
   block_.bindUniform(9);
+  light_.bind(10);
   uneclipsed_.bind(11);
   held_.bind(12);
   volume_.bind(13);
-  auto const moments = [&](int stage) {
-    moments_.set("directionCount", glm::ivec2(q.eclipseZeniths, q.eclipseTurns))
-        .set("cellCount", cells)
-        .set("stage", stage)
-        .use();
+  phases_.bind(14);
+  auto const hold = [&](int stage) {
+    hold_.set("directionCount", directions).set("cellCount", cells).set("stage", stage).use();
     radiances_.bindImage(0, GL_READ_ONLY);
     held_.bindImage(1, GL_READ_WRITE);
     first_.bindImage(2, GL_READ_WRITE);
     lastStep_.bindImage(3, GL_READ_WRITE);
-    grid.bindImage(4, GL_WRITE_ONLY);
-    glDispatchCompute(groups(cells.x, 8), groups(cells.y * cells.z, 4),
-                      static_cast<GLuint>(tables.layers()));
+    light_.bindImage(4, GL_WRITE_ONLY);
+    glDispatchCompute(columns, rows, static_cast<GLuint>(tables.layers()));
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     glFlush();
   };
   gather(tables, single_, cells, false);
-  moments(1);
+  hold(1);
   for (int order = 2; order <= q.eclipseOrders; ++order) {
     gather(tables, next_, cells, true);
-    moments(order < q.eclipseOrders ? 2 : 3);
+    hold(order < q.eclipseOrders ? 2 : 3);
   }
+  gl::Texture grid = eclipsedGrid(tables, GL_RGBA16F, 1);
+  shares_.set("directionCount", directions).set("cellCount", cells).use();
+  scattered_.bind(13);
+  lastStep_.bindImage(3, GL_READ_ONLY);
+  grid.bindImage(4, GL_WRITE_ONLY);
+  glDispatchCompute(columns, rows, kEclipsedRises);
+  glMemoryBarrier(GL_ALL_BARRIER_BITS);
+  glFlush();
   return grid;
 }
 

@@ -19,13 +19,15 @@ EclipsedSource::EclipsedSource(const AirTables& tables, LimbDarkeningLaw law, st
       betweenNodes_(betweenNodes),
       mix_(gl::Program::compute("precompute/eclipsed_mix.comp")) {
   auto const& q = tables.quality();
-  int const slabs = kEclipsedQuantities * tables.layers() * q.eclipseHeights;
-  casters_ = std::clamp(static_cast<int>(casters), 1, kMostSlabs / slabs);
-  grid_ = gl::Texture::volume(GL_RGBA32F, q.eclipseDistances, q.eclipseAzimuths, casters_ * slabs);
+  int const slabs = kEclipsedSlabs * tables.layers() * q.eclipseHeights;
+  casters_ = std::clamp(static_cast<int>(casters), 1, std::max(kMostSlabs / slabs, 1));
+  turns_ = eclipsedTurns(q);
+  grid_ = eclipsedGrid(tables, GL_RGBA32F, casters_);
 }
 
 gl::Definitions EclipsedSource::definitions() const {
-  return {{"ECLIPSED_SOURCE", std::to_string(casters_)}};
+  return {{"ECLIPSED_SOURCE", std::to_string(casters_)},
+          {"ECLIPSED_TURNS", std::to_string(turns_)}};
 }
 
 const gl::Texture& EclipsedSource::node(const AirTables& tables, const Key& key,
@@ -73,13 +75,13 @@ int EclipsedSource::update(const AirTables& tables, const std::vector<glsl::Shad
       seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       ++computed;
     }
-    int const slabs = kEclipsedQuantities * tables.layers() * q.eclipseHeights;
+    int const slabs = kEclipsedSlabs * tables.layers() * q.eclipseHeights;
     for (std::size_t i = 0; i < 3; ++i)
       (i < nodes.size() ? grids[i] : grids[0])->bind(static_cast<int>(i));
     mix_.set("weights", weights).set("firstSlab", caster * slabs).use();
     grid_.bindImage(0, GL_WRITE_ONLY);
     glDispatchCompute(static_cast<GLuint>((q.eclipseDistances + 7) / 8),
-                      static_cast<GLuint>((q.eclipseAzimuths + 3) / 4), static_cast<GLuint>(slabs));
+                      static_cast<GLuint>((grid_.height() + 3) / 4), static_cast<GLuint>(slabs));
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
   }
   block.push_back(eclipsedShape(tables));

@@ -44,7 +44,7 @@ class EclipsedSource {
   const gl::Texture& node(const AirTables& tables, const Key& key, const glsl::ShadowPair& pair);
 
   LimbDarkeningLaw law_;
-  int casters_;
+  int casters_, turns_;
   bool betweenNodes_;
   std::unique_ptr<EclipsedSolver> solver_;
   std::unique_ptr<EclipsedUnion> union_;  // of several casters

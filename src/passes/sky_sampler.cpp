@@ -150,7 +150,7 @@ std::vector<double> SkySampler::sample(const SkyRequest& request) {
     }
     auto definitions = tables.definitions();
     definitions.insert(definitions.end(), shadowFlags.begin(), shadowFlags.end());
-    for (const char* flag : {"AIR_SINGLE", "AIR_SOURCE", "ECLIPSED_HARMONICS"})
+    for (const char* flag : {"AIR_SINGLE", "AIR_SOURCE", "ECLIPSED_DIRECTIONS"})
       definitions.emplace_back(flag, "");
     bool const useTable = AirSky::serves(tables, request.altitude);
     if (useTable) {
