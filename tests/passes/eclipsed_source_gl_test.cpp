@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 
 #include "document/paths.h"
 #include "passes/sky_sampler.h"
@@ -66,16 +67,18 @@ TEST_F(EclipsedSourceGlTest, AFilmSharesItsNodes) {
   AirTables const tables(
       medium, medium.radius,
       {440.0 * nanometre, 500.0 * nanometre, 550.0 * nanometre, 680.0 * nanometre},
-      AirQuality::preset("draft"), Angle(0.00465));
+      AirQuality::preset(std::getenv("SKY_PRESET") ? std::getenv("SKY_PRESET") : "draft"),
+      Angle(0.00465));
   EclipsedSource source(tables, LimbDarkeningLaw::Hestroffer, 1);
   int first = 0, later = 0;
-  double longest = 0.0;
+  double longest = 0.0, processor = 1.0;
   int quiet = 0;
   for (int second = 0; second <= 900; second += 5) {
     Angle const zenith = (30.0 + second * 0.7e3 / medium.radius.si * 57.3) * degree;
     auto const pair = pairOver(medium.radius.si, zenith, 3.585e8);
     glFinish();
     auto const start = std::chrono::steady_clock::now();
+    std::clock_t const before = std::clock();
     int const computed = source.update(tables, {pair}, 1.0);
     glFinish();
     double const seconds =
@@ -84,9 +87,12 @@ TEST_F(EclipsedSourceGlTest, AFilmSharesItsNodes) {
     if (computed) continue;
     ++quiet;
     longest = std::max(longest, seconds);
+    processor = std::min(processor, static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
   }
-  std::printf("%d nodes at first, %d later; other instants %.2f ms at most\n", first, later,
-              1e3 * longest);
+  std::printf(
+      "%d nodes at first, %d later; other instants %.2f ms at most, from %.2f ms of processor "
+      "time\n",
+      first, later, 1e3 * longest, 1e3 * processor);
   EXPECT_LE(first, 3);
   EXPECT_LE(later, 8);
   EXPECT_GT(quiet, 150);
