@@ -508,7 +508,16 @@ void AirTables::buildSource(const Medium& medium, const std::vector<std::size_t>
   } while (step < kMostSteps && solver.change() > kEnoughChange);
   orders_ = step;
   lastChange_ = solver.change();
-  source_.upload(solver.light(), 4);
+  // What is left of the error may be negative where it is dark; light is not.
+  auto light = solver.light();
+  std::size_t const slice = static_cast<std::size_t>(width * height) * 4;
+  for (int layer = 0; layer < layers_; ++layer)
+    for (int i : {0, moments - 1})
+      for (std::size_t k = 0; k < slice; ++k) {
+        float& value = light[static_cast<std::size_t>(layer * moments + i) * slice + k];
+        value = std::max(value, 0.0f);
+      }
+  source_.upload(light, 4);
 }
 
 namespace {
