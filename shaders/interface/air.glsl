@@ -5,6 +5,7 @@
 //   AIR_DARK          how many of those, the first, do not scatter at all
 //   AIR_DEGREE        of the harmonics in which scattered light is held
 //   AIR_HAZY          the medium has forward peaks apart
+//   AIR_BENT          sunlight comes along bent rays (src/passes/bent_sun_texels.h)
 //   AIR_PHASE_LEVELS  of the phase functions' blur by forward peaks on the way
 //
 // With AIR_HAZY forward peaks (src/medium/forward_peak.h) count as no scattering: depths, the source and what it
@@ -24,12 +25,18 @@
 #ifndef AIR_PHASE_LEVELS  // a body without air
 #define AIR_PHASE_LEVELS 1
 #endif
+#ifdef AIR_BENT
+#define AIR_DENSITY_HEIGHT (AIR_DENSITY_ROWS + 1 + AIR_LAYERS)
+#else
+#define AIR_DENSITY_HEIGHT (AIR_DENSITY_ROWS + 1)
+#endif
 #define AIR_HARMONICS ((AIR_DEGREE + 1) * (AIR_DEGREE + 2) / 2)
 
 layout(std140, binding = 1) uniform Air {
   vec4 airShape;  // ground radius m, top m, lowest Sun cosine of the source table, Sun's radius rad
   vec4 airReach;  // from a point of the ground along its horizon to the top, m; 1 / that; 1 / top;
                   // radiance of a value of the source table
+  vec4 airBent;   // bent sunlight: 1 / reach of its table, lowest cosine at the ground, 1 / (1 - that)
   vec4 airGroundAlbedo[AIR_LAYERS];
   vec4 airScattering[AIR_LAYERS * AIR_CONSTITUENTS];  // 1/m at density 1
   vec4 airExtinction[AIR_LAYERS * AIR_CONSTITUENTS];
@@ -51,8 +58,10 @@ layout(std140, binding = 3) uniform Quadrature {
 layout(binding = 2) uniform sampler2D airDensities;  // over sqrt(height/top), four a row; in
                                                      // the last row x: level of the source there,
                                                      // y: sqrt(height/top) of a level, z: its
-                                                     // slope over the level
-layout(binding = 3) uniform sampler2DArray airDepths;  // of the rest by layer, then true ones
+                                                     // slope over the level; with AIR_BENT
+                                                     // rows of sunlight on the ground follow
+layout(binding = 3) uniform sampler2DArray airDepths;  // of the rest by layer, then true ones;
+                                                       // with AIR_BENT all again toward the Sun
 layout(binding = 4) uniform sampler2DArray airSource;  // a layer: harmonics, irradiance
 // Over phasePlace() of the cosine; by layer and constituent, rows over the blur, then that by moments.
 layout(binding = 5) uniform sampler2D airPhases;
@@ -83,7 +92,7 @@ struct AirDensities {
 AirDensities densitiesAt(float root) {
   AirDensities d;
   for (int row = 0; row < AIR_DENSITY_ROWS; ++row) {
-    float y = (float(row) + 0.5) / float(AIR_DENSITY_ROWS + 1);
+    float y = (float(row) + 0.5) / float(AIR_DENSITY_HEIGHT);
     vec4 four = textureLod(airDensities, vec2(root, y), 0.0);
     d.of[row * 4] = four.x;
     d.of[row * 4 + 1] = four.y;
@@ -125,10 +134,45 @@ int trueLayer(int layer) {
   return layer;
 #endif
 }
-// The last row of the densities' table.
+// Toward the Sun, whose depth holds all that dims it: with AIR_BENT its disc's setting and the thinning
+// of bent light too.
+vec2 sunDepthPlace(AirShell shell, DepthRow row, float sunRise, vec4 texels) {
+#ifdef AIR_BENT
+  return onTexels(sunCoordinatesOf(shell, row, sunRise, airBent.x), texels);
+#else
+  return onTexels(depthCoordinatesOf(shell, row, sunRise), texels);
+#endif
+}
+vec4 sunDepthAt(vec2 place, int layer) {
+#if defined(AIR_BENT) && defined(AIR_HAZY)
+  return depthAt(place, layer + 2 * AIR_LAYERS);
+#elif defined(AIR_BENT)
+  return depthAt(place, layer + AIR_LAYERS);
+#else
+  return depthAt(place, layer);
+#endif
+}
+#ifdef AIR_BENT
+// Irradiance of the horizontal ground by the Sun itself, over E0.
+vec4 bentSunOnGround(float sunCosine, int layer) {
+  float x = sqrt(clamp((sunCosine - airBent.y) * airBent.z, 0.0, 1.0));
+  float count = float(textureSize(airDensities, 0).x);
+  float y = (float(AIR_DENSITY_ROWS + 1 + layer) + 0.5) / float(AIR_DENSITY_HEIGHT);
+  return textureLod(airDensities, vec2((x * (count - 1.0) + 0.5) / count, y), 0.0);
+}
+#endif
+// The same for the tables, which know the Sun as a point where it is not bent.
+vec4 sunOnGround(float sunCosine, int layer) {
+#ifdef AIR_BENT
+  return bentSunOnGround(sunCosine, layer);
+#else
+  return max(sunCosine, 0.0) * exp(-depthAt(depthPlace(0.0, sunCosine), layer));
+#endif
+}
+// The row of levels in the densities' table.
 vec3 levelRow(float x) {
   float count = float(textureSize(airDensities, 0).x);
-  float y = (float(AIR_DENSITY_ROWS) + 0.5) / float(AIR_DENSITY_ROWS + 1);
+  float y = (float(AIR_DENSITY_ROWS) + 0.5) / float(AIR_DENSITY_HEIGHT);
   return textureLod(airDensities, vec2((x * (count - 1.0) + 0.5) / count, y), 0.0).xyz;
 }
 // What a cell of the source stands for. Levels lie dense where the air is.

@@ -386,8 +386,8 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, int first, int end, bo
     float toTop = row.gain / max(topRise + p.rise, 1e-9);
     vec2 viewPlace = onTexels(depthCoordinatesAt(shell, row, toTop), depths);
 #ifdef AIR_SINGLE
-    vec2 sunPlace = onTexels(depthCoordinatesOf(shell, row, p.sunRise), depths);
-#ifdef BODY_SUNLIT
+    vec2 sunPlace = sunDepthPlace(shell, row, p.sunRise, depths);
+#if defined(BODY_SUNLIT) || defined(AIR_BENT)
     const float above = 1.0;
 #else
     float above = sunAboveHorizon((p.sunRise + row.across) * p.overRadius);
@@ -425,7 +425,7 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, int first, int end, bo
       light.taken[layer] += weight * takes;
 #endif
 #ifdef AIR_SINGLE
-      vec4 sun = weight * above * exp(-depthAt(sunPlace, layer));
+      vec4 sun = weight * above * exp(-sunDepthAt(sunPlace, layer));
 #ifdef AIR_ECLIPSED
       sun *= visibleSunlight(where, layer);
 #endif
@@ -478,7 +478,7 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, int first, int end, bo
 #ifdef AIR_BLURRED
     vec4 forward = beforeTrue - before[0] -
                    leg.sense * (depthAt(viewPlace, trueLayer(0)) - depthAt(viewPlace, 0)) +
-                   depthAt(sunPlace, trueLayer(0)) - depthAt(sunPlace, 0);
+                   sunDepthAt(sunPlace, trueLayer(0)) - sunDepthAt(sunPlace, 0);
     light.forward += peakedHere * 0.25 * max(dot(forward, vec4(1.0)), 0.0);
     light.forwardWeight += peakedHere;
 #endif

@@ -184,22 +184,32 @@ SurfaceLight surfaceLight(vec3 normal, vec3 direction, float footprint) {
   albedo = textureLod(surfaceMap, place, lod).rgb * bodyMapFactor.rgb;
 #endif
   float viewCosine = max(-dot(normal, direction), 1e-3);
-  vec4 direct[AIR_LAYERS];
+  vec4 direct[AIR_LAYERS];  // across its way
+#ifdef AIR_BENT
+  vec4 onGround[AIR_LAYERS];
+#endif
 #ifdef RING_SHADOW
   float passed = sunlightThroughRings(position * vec3(1.0, 1.0, bodyShape.y), footprint);
 #endif
   for (int layer = 0; layer < AIR_LAYERS; ++layer) {
     vec4 sun = vec4(1.0);
-#ifdef AIR
+    vec4 share = vec4(1.0);
+#if defined(AIR_BENT)
+    sun = exp(-sunDepthAt(sunDepthPlace(airShell(), depthRow(airShell(), 0.0), sunCosine * bodyShape.x,
+                                        depthTexels()), layer));
+#elif defined(AIR)
     sun = exp(-depthAt(depthPlace(0.0, max(sunCosine, 0.0)), layer));
 #endif
 #if defined(SHADOW_PAIRS) && !defined(UNECLIPSED)
-    sun *= visibleSunlight(position, layer);
+    share *= visibleSunlight(position, layer);
 #endif
 #ifdef RING_SHADOW
-    sun *= passed;
+    share *= passed;
 #endif
-    direct[layer] = sun;
+    direct[layer] = sun * share;
+#ifdef AIR_BENT
+    onGround[layer] = share * bentSunOnGround(sunCosine, layer);
+#endif
   }
   // A disc half below the horizon lights the ground a little.
   float lit = sunOnHorizontal(sunCosine, bodyTrueSun.w);
@@ -218,6 +228,8 @@ SurfaceLight surfaceLight(vec3 normal, vec3 direction, float footprint) {
                             airAlbedoBlue[layer] * albedo.b, vec4(0.0));
 #ifdef SURFACE_LUNAR
     vec4 light = direct[layer] * lunarReflection(max(sunCosine, 0.0), viewCosine, bodyNight.y);
+#elif defined(AIR_BENT)
+    vec4 light = onGround[layer];
 #else
     vec4 light = direct[layer] * lit;
 #endif

@@ -43,7 +43,11 @@ void main() {
     vec4 sum = light.joint[layer];
 #endif
     if (way.hitsGround) {
+#ifdef AIR_BENT
+      vec4 direct = bentSunOnGround(sunCosine, layer);
+#else
       vec4 direct = sunOnHorizontal(sunCosine, airShape.w) * exp(-depthAt(depthPlace(0.0, max(sunCosine, 0.0)), layer));
+#endif
       vec4 diffuse = sourceAt(ground, irradianceSlice(layer));
 #ifdef SHADOW_PAIRS
       vec3 where = ray.start + ray.direction * way.length;

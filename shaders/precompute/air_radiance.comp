@@ -38,7 +38,7 @@ void main() {
     vec4 sum = light.joint[layer];
     if (way.hitsGround) {
 #ifdef AIR_SINGLE
-      vec4 irradiance = max(sunCosine, 0.0) * exp(-depthAt(depthPlace(0.0, sunCosine), layer));
+      vec4 irradiance = sunOnGround(sunCosine, layer);
 #else
       vec4 irradiance = sourceAt(ground, irradianceSlice(layer));
 #endif

@@ -104,7 +104,7 @@ void main() {
     if (way.hitsGround) {
       vec4 irradiance = vec4(0.0);
 #ifdef AIR_SINGLE
-      irradiance += max(sunCosine, 0.0) * exp(-depthAt(depthPlace(0.0, sunCosine), layer))
+      irradiance += sunOnGround(sunCosine, layer)
 #ifndef UNECLIPSED
           * visibleSunlight(where, layer)
 #endif

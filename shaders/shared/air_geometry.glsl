@@ -123,6 +123,15 @@ TableCoordinates depthCoordinatesOf(AirShell shell, DepthRow row, Length rise) {
   return depthCoordinatesAt(shell, row, distanceBetweenRises(rise, root, row.gain));
 }
 
+// The same toward the Sun in air that bends its light: `reach` makes room for one below the
+// geometric horizon.
+TableCoordinates sunCoordinatesOf(AirShell shell, DepthRow row, Length rise, Number overReach) {
+  Length root = sqrt(max(rise * rise + row.gain, 0.0));
+  DepthRow wider = row;
+  wider.scale = row.scale * overReach;
+  return depthCoordinatesAt(shell, wider, distanceBetweenRises(rise, root, row.gain));
+}
+
 TableCoordinates depthCoordinates(AirShell shell, Length height, Number cosine) {
   Length h = clamp(height, 0.0, shell.top);
   return depthCoordinatesOf(shell, depthRow(shell, h), (shell.radius + h) * cosine);

@@ -380,6 +380,9 @@ void addSkyCommand(CLI::App& program) {
   sky->add_flag("--irradiance", options->irradiance, "direct and diffuse, of the horizontal plane");
   sky->add_flag("--luminance", options->luminance, "cd/m2 (or lx) and chromaticity x, y");
   sky->footer(
+      "A medium file with [refraction] bends sunlight on its way into the air, by all methods; "
+      "the\n"
+      "camera's rays, and all light without that section, go straight.\n"
       "Example:\n  printf 'view_zenith_deg,rel_azimuth_deg\\n45,0\\n' | antumbra sky \\\n"
       "    --medium catalogs/atmospheres/earth.toml --sun-zenith 60 --directions - \\\n"
       "    --wavelengths 440,550,680 --method reference --stderr 0.5%");

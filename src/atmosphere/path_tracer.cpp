@@ -127,6 +127,7 @@ PathTracer::PathTracer(const Medium& medium, const Sunlight& sun, Length wavelen
       sun_(sun),
       shadow_(sun, wavelength),
       disc_(sun.law, wavelength) {
+  air_.bendSunlight();
   double low = air_.ground(), high = air_.top();
   for (int i = 0; i < 40; ++i) {
     double const middle = 0.5 * (low + high);
@@ -136,7 +137,7 @@ PathTracer::PathTracer(const Medium& medium, const Sunlight& sun, Length wavelen
 }
 
 double PathTracer::directLight(const glm::dvec3& x, double radius, const glm::dvec3& toSun) const {
-  double const depth = air_.depthToSpace(x, radius, toSun);
+  double const depth = air_.depthToSun(x, radius, toSun);
   if (depth > 700.0) return 0.0;
   return std::exp(-depth) * (shadow_.empty() ? 1.0 : shadow_.visibleShare(x));
 }
@@ -327,7 +328,7 @@ double PathTracer::pathLight(const FirstLeg& leg, double first, Random& random,
       weight *= air_.groundAlbedo();
       double sunWeight;
       glm::dvec3 const toSun = drawSun(random, sunWeight);
-      double const cosine = glm::dot(normal, toSun);
+      double const cosine = glm::dot(normal, air_.apparentSun(start, air_.ground(), toSun));
       if (cosine > 0.0)
         light += weight * sunWeight * cosine / kPi * directLight(start, air_.ground(), toSun);
       sunLow = cosine < 0.0;

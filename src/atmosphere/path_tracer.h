@@ -3,8 +3,9 @@
 //
 // A path leaves the camera, is scattered by the air or reflected by the ground (Lambert) until it
 // fades, and at each such point receives the Sun's direct light (transmittance, phase function,
-// share of the disc that occulters leave). Unbiased but for the tabulated optical depths (4e-5) and
-// no refraction, no polarisation. Variance is lowered by forced scattering on rays that leave the
+// share of the disc that occulters leave; bent in a medium that refracts, bent_sunlight.h).
+// Unbiased but for the tabulated optical depths (4e-5); between its vertices light goes straight,
+// and there is no polarisation. Variance is lowered by forced scattering on rays that leave the
 // air, a first leg drawn half by collision and half by where single scattering comes from,
 // directions drawn in part towards the bright horizon of twilight, later vertices in part from
 // sunlit stretches, stratified first legs, and Russian roulette.

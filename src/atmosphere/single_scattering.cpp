@@ -64,7 +64,9 @@ SingleScattering::SingleScattering(const Medium& medium, const Sunlight& sun, Le
                                    Length groundRadius)
     : air_(medium, wavelength, groundRadius),
       rays_(sunRays(sun, wavelength, 4, 8)),
-      shadow_(sun, wavelength) {}
+      shadow_(sun, wavelength) {
+  air_.bendSunlight();
+}
 
 double SingleScattering::radiance(Position<AirFrame> camera, Direction<AirFrame> direction) const {
   AirRay const ray(camera.m, direction.u);
@@ -97,7 +99,7 @@ double SingleScattering::radiance(Position<AirFrame> camera, Direction<AirFrame>
     Function const source = [&](double s) {
       double const radius = ray.radiusAt(s);
       glm::dvec3 const x = camera.m + s * direction.u;
-      double const toSun = air_.depthToSpace(x, radius, sunRay.toSun);
+      double const toSun = air_.depthToSun(x, radius, sunRay.toSun);
       if (std::isinf(toSun)) return 0.0;
       air_.scattering(ray.heightAt(s, air_.ground()), each.data());
       double scattered = 0.0;
@@ -127,9 +129,9 @@ double SingleScattering::radiance(Position<AirFrame> camera, Direction<AirFrame>
     glm::dvec3 const x = air_.ground() * normal;
     double lit = 0.0;
     for (SunRay const& sunRay : rays_) {
-      double const cosine = glm::dot(normal, sunRay.toSun);
+      double const cosine = glm::dot(normal, air_.apparentSun(x, air_.ground(), sunRay.toSun));
       if (cosine > 0.0)
-        lit += sunRay.weight * cosine * std::exp(-air_.depthToTop(air_.ground(), cosine));
+        lit += sunRay.weight * cosine * std::exp(-air_.depthToSun(x, air_.ground(), sunRay.toSun));
     }
     sum += air_.groundAlbedo() / std::numbers::pi * lit * share(x) *
            std::exp(-air_.depthBetween(ray, span.enter, span.leave));
@@ -142,9 +144,9 @@ double SingleScattering::directIrradiance(Position<AirFrame> point,
   double sum = 0.0;
   double const radius = std::max(glm::length(point.m), air_.ground());
   for (SunRay const& ray : rays_) {
-    double const cosine = glm::dot(normal.u, ray.toSun);
+    double const cosine = glm::dot(normal.u, air_.apparentSun(point.m, radius, ray.toSun));
     if (cosine > 0.0)
-      sum += ray.weight * cosine * std::exp(-air_.depthToSpace(point.m, radius, ray.toSun));
+      sum += ray.weight * cosine * std::exp(-air_.depthToSun(point.m, radius, ray.toSun));
   }
   return sum * (shadow_.empty() ? 1.0 : shadow_.visibleShare(point.m));
 }

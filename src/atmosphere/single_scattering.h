@@ -7,7 +7,8 @@
 // by adaptive Gauss-Legendre quadrature between the places where the integrand has kinks: heights
 // of the profiles, the perigee, the edge of the body's own shadow, the cones of the occulters.
 // Relative tolerance 1e-5 of the integral; optical depths within 4e-5 (spectral_medium.h). A Sun
-// with a disc is summed over 4 x 8 directions. No refraction, no polarisation.
+// with a disc is summed over 4 x 8 directions. In a medium that refracts, sunlight comes along bent
+// rays (bent_sunlight.h); the camera's ray is straight. No polarisation.
 #pragma once
 
 #include "atmosphere/spectral_medium.h"

@@ -146,6 +146,7 @@ bool AirRay::crossings(double sphere, double& first, double& second) const {
 
 SpectralMedium::SpectralMedium(const Medium& medium, Length wavelength, Length groundRadius)
     : medium_(&medium),
+      wavelength_(wavelength.si),
       ground_(std::min(medium.radius, groundRadius) / metre),
       top_(medium.topRadius() / metre),
       albedo_(medium.groundAlbedo.at(wavelength)) {
@@ -285,6 +286,31 @@ double SpectralMedium::depthToSpace(const glm::dvec3& point, double radius,
   double const perigee = glm::length(moment);
   if (perigee < ground_) return std::numeric_limits<double>::infinity();
   return std::max(0.0, 2.0 * depthToTop(perigee, 0.0) - depthToTop(radius, -cosine));
+}
+
+void SpectralMedium::bendSunlight() {
+  if (!BentSunlight::bends(*medium_, Length(ground_))) return;
+  BentColour colour{medium_->refractivity.at(Length(wavelength_)), total_};
+  bent_ = std::make_shared<const BentSunlight>(*medium_, Length(ground_),
+                                               medium_->radius - Length(ground_),
+                                               std::vector<BentColour>{std::move(colour)});
+}
+
+double SpectralMedium::depthToSun(const glm::dvec3& point, double radius,
+                                  const glm::dvec3& toSun) const {
+  if (!bent_ || radius >= top_) return depthToSpace(point, radius, toSun);
+  return bent_->depth(0, radius - ground_, glm::dot(point, toSun) / radius);
+}
+
+glm::dvec3 SpectralMedium::apparentSun(const glm::dvec3& point, double radius,
+                                       const glm::dvec3& toSun) const {
+  glm::dvec3 const up = point / radius;
+  double const cosine = glm::dot(up, toSun);
+  glm::dvec3 const level = toSun - cosine * up;
+  double const sine = glm::length(level);
+  if (!bent_ || radius >= top_ || !(sine > 1e-9)) return toSun;
+  double const lift = bent_->lift(0, radius - ground_, cosine);
+  return std::cos(lift) * toSun + std::sin(lift) * (sine * up - (cosine / sine) * level);
 }
 
 double SpectralMedium::depthByQuadrature(const AirRay& ray, double a, double b) const {

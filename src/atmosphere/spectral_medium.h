@@ -9,8 +9,10 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <memory>
 #include <vector>
 
+#include "atmosphere/bent_sunlight.h"
 #include "medium/medium.h"
 
 namespace antumbra {
@@ -63,6 +65,13 @@ class SpectralMedium {
   double depthBetween(const AirRay& ray, double a, double b) const;
   // Towards the Sun; infinite where the ground is in the way.
   double depthToSpace(const glm::dvec3& point, double radius, const glm::dvec3& direction) const;
+  // Sunlight is bent by the medium's refractivity from here on, where it has any.
+  void bendSunlight();
+  // From a point inside the air towards the Sun as bent, with the thinning of bent light; infinite
+  // where the ground is in the way. Above the air, and without refraction, as depthToSpace.
+  double depthToSun(const glm::dvec3& point, double radius, const glm::dvec3& toSun) const;
+  // Where that light comes from at the point.
+  glm::dvec3 apparentSun(const glm::dvec3& point, double radius, const glm::dvec3& toSun) const;
   // Direct quadrature of the same integral as depthBetween, by Gauss-Legendre on pieces between
   // heights where densities change character; relative error about 1e-7.
   double depthByQuadrature(const AirRay& ray, double a, double b) const;
@@ -83,6 +92,8 @@ class SpectralMedium {
   double tabulated(const std::vector<double>& table, double height) const;
 
   const Medium* medium_;
+  double wavelength_;
+  std::shared_ptr<const BentSunlight> bent_;
   double ground_, top_, albedo_;
   std::vector<double> scattering_, total_;  // of each constituent at density 1
   std::vector<SpectralPhase> phases_;

@@ -115,6 +115,7 @@ std::vector<glm::vec4> airBlockOf(const Medium* medium, const std::vector<Length
   block.emplace_back(groundRadius.si, top, lowestSunCosine, sunRadius.si);
   double const widest = std::sqrt(top * (2.0 * groundRadius.si + top));
   block.emplace_back(widest, 1.0 / widest, 1.0 / top, 1.0);
+  block.emplace_back(1.0, 0.0, 1.0, 0.0);
   auto const add = [&](auto&& value) {
     for (std::size_t layer = 0; layer < layers; ++layer) {
       glm::vec4 four;
@@ -214,6 +215,8 @@ AirTables::AirTables(const Medium& medium, Length groundRadius,
                   {"AIR_DEGREE", std::to_string(degree_)},
                   {"AIR_PHASE_LEVELS", std::to_string(kPhaseLevels)}};
   if (hazy_) definitions_.emplace_back("AIR_HAZY", "");
+  bent_ = BentSunlight::bends(medium, groundRadius);
+  if (bent_) definitions_.emplace_back("AIR_BENT", "");
   // Twice the angle by which the top sees the Sun below the ground's horizon, and 5 degrees.
   double const dip = std::acos(groundRadius / (groundRadius + top_));
   lowestSunCosine_ = -std::sin(std::min(2.0 * dip + 5.0 * degree.si, 0.5 * std::numbers::pi));
@@ -256,10 +259,12 @@ AirTables::AirTables(const Medium& medium, Length groundRadius,
   orders_ = quality_.orders == 0 ? 0 : quality_.orders + more;
   auto block =
       airBlockOf(&medium, wavelengths_, groundRadius, lowestSunCosine_, sunRadius, order, phases);
+  BentSunTexels const sun = bent_ ? bentSun(medium, order, phases, sunRadius) : BentSunTexels{};
+  block[2] = glm::vec4(1.0 / sun.reach, sun.lowestCosine, 1.0 / (1.0 - sun.lowestCosine), 0.0);
   block_.write(std::span<const glm::vec4>(block));
-  buildDensities(medium, order, phases);
+  buildDensities(medium, order, phases, sun.ground);
   buildPhases(medium, order, phases);
-  buildDepths();
+  buildDepths(sun.depths);
   buildSource(medium, order, phases);
   measureSource();
   if (quality_.storage == AirStorage::Half) {
@@ -305,8 +310,30 @@ std::vector<double> AirTables::sourceLevels(const Medium& medium,
   return levels;
 }
 
+// Of the rest, without forward peaks, then in haze the true ones.
+BentSunTexels AirTables::bentSun(const Medium& medium, const std::vector<std::size_t>& order,
+                                 const AirPhases& phases, Angle sunRadius) const {
+  std::vector<BentColour> colours;
+  for (bool const withPeaks : {false, true}) {
+    if (withPeaks && !hazy_) continue;
+    for (std::size_t w = 0; w < wavelengths_.size(); ++w) {
+      BentColour colour{medium.refractivity.at(wavelengths_[w]),
+                        std::vector<double>(order.size(), 0.0)};
+      for (std::size_t c = 0; c < order.size(); ++c) {
+        Constituent const& own = medium.constituents[order[c]];
+        double const forward = withPeaks ? 0.0 : phases.of[c][w].share();
+        colour.extinction[order[c]] = own.absorption.at(wavelengths_[w]) +
+                                      own.scattering.at(wavelengths_[w]) * (1.0 - forward);
+      }
+      colours.push_back(std::move(colour));
+    }
+  }
+  return bentSunTexels(medium, groundRadius_, sunRadius, colours, quality_.depthWidth,
+                       quality_.depthHeight, kDensityTexels, layers_);
+}
+
 void AirTables::buildDensities(const Medium& medium, const std::vector<std::size_t>& order,
-                               const AirPhases& phases) {
+                               const AirPhases& phases, const std::vector<float>& sunOnGround) {
   int const rows = (constituents_ + 3) / 4 + 1;
   std::vector<float> texels(static_cast<std::size_t>(kDensityTexels * rows * 4), 0.0f);
   for (std::size_t c = 0; c < order.size(); ++c)
@@ -334,7 +361,8 @@ void AirTables::buildDensities(const Medium& medium, const std::vector<std::size
                                static_cast<float>(kDensityTexels - 1) /
                                static_cast<float>(high - low);
   }
-  densities_ = gl::Texture::plane(GL_RGBA32F, kDensityTexels, rows);
+  texels.insert(texels.end(), sunOnGround.begin(), sunOnGround.end());
+  densities_ = gl::Texture::plane(GL_RGBA32F, kDensityTexels, rows + (bent_ ? layers_ : 0));
   densities_.upload(texels, 4);
 }
 
@@ -406,9 +434,15 @@ void AirTables::bind() const {
   phases_.bind(5);
 }
 
-void AirTables::buildDepths() {
+void AirTables::buildDepths(const std::vector<float>& bentSun) {
+  int const straight = hazy_ ? 2 * layers_ : layers_;
   depths_ = gl::Texture::layers(GL_RGBA32F, quality_.depthWidth, quality_.depthHeight,
-                                hazy_ ? 2 * layers_ : layers_);
+                                bent_ ? 2 * straight : straight);
+  if (bent_) {
+    std::vector<float> texels(bentSun.size(), 0.0f);
+    texels.insert(texels.end(), bentSun.begin(), bentSun.end());
+    depths_.upload(texels, 4);
+  }
   auto const program = gl::Program::compute("precompute/air_depth.comp", definitions_);
   QuadratureBlock const nodes(hazy_ ? 64 : 48);
   bind();
@@ -417,7 +451,7 @@ void AirTables::buildDepths() {
   depths_.bindImage(0, GL_WRITE_ONLY);
   glDispatchCompute(static_cast<GLuint>((quality_.depthWidth + 7) / 8),
                     static_cast<GLuint>((quality_.depthHeight + 7) / 8),
-                    static_cast<GLuint>(hazy_ ? 2 * layers_ : layers_));
+                    static_cast<GLuint>(straight));
   glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 

@@ -9,6 +9,9 @@
 // light is marched with leave it out, and sunlight scattered once keeps it, blurred by the peaks on
 // its way. In air thicker than light reaches the orders converge too slowly: there their fixed
 // point is solved for (passes/thick_air.h). Errors: configs/quality/README.md.
+//
+// In a medium that refracts, direct sunlight comes along bent rays (bent_sun_texels.h), from a
+// table like that of the depths; what reaches the camera goes straight.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -20,6 +23,7 @@
 #include "medium/forward_peak.h"
 #include "medium/medium.h"
 #include "passes/air_quality.h"
+#include "passes/bent_sun_texels.h"
 #include "quantity/quantity.h"
 
 namespace antumbra {
@@ -50,6 +54,8 @@ class AirTables {
   int peakedCount() const { return peaked_; }
   // Whether the medium holds haze enough for the knobs of haze.
   bool hazy() const { return hazy_; }
+  // Whether sunlight is bent.
+  bool bent() const { return bent_; }
   Length groundRadius() const { return groundRadius_; }
   Length top() const { return top_; }
   // Of the source table: no light comes from air whose Sun is lower.
@@ -71,11 +77,13 @@ class AirTables {
  private:
   std::vector<double> sourceLevels(const Medium& medium, const std::vector<std::size_t>& order,
                                    const AirPhases& phases) const;
+  BentSunTexels bentSun(const Medium& medium, const std::vector<std::size_t>& order,
+                        const AirPhases& phases, Angle sunRadius) const;
   void buildDensities(const Medium& medium, const std::vector<std::size_t>& order,
-                      const AirPhases& phases);
+                      const AirPhases& phases, const std::vector<float>& sunOnGround);
   void buildPhases(const Medium& medium, const std::vector<std::size_t>& order,
                    const AirPhases& phases);
-  void buildDepths();
+  void buildDepths(const std::vector<float>& bentSun);
   // Of the source's rows, m.
   std::vector<double> sourceHeights(const std::vector<double>& levels) const;
   void buildSource(const Medium& medium, const std::vector<std::size_t>& order,
@@ -93,6 +101,7 @@ class AirTables {
   int peaked_ = 0;
   bool hazy_ = false;
   bool thick_ = false;
+  bool bent_ = false;
   int degree_ = 2;
   int orders_ = 0;
   double lastChange_ = 0.0;

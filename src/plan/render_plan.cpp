@@ -7,6 +7,8 @@
 #include <numbers>
 #include <set>
 
+#include "atmosphere/bent_sunlight.h"
+#include "document/paths.h"
 #include "eclipse/shadow_convention.h"
 #include "eclipse/shadow_pair.h"
 #include "geodesy/site.h"
@@ -463,6 +465,21 @@ void RenderPlan::rescaleBounds(const Projection& before) {
   }
 }
 
+namespace {
+
+// How sunlight travels in an air.
+std::string waysOfSunlight(const Medium& medium) {
+  if (!BentSunlight::bends(medium, medium.radius)) return "straight: no refraction of its own";
+  BentSunlight const rays(medium, medium.radius, Length(0.0),
+                          {{medium.refractivity.at(550.0 * nanometre),
+                            std::vector<double>(medium.constituents.size(), 0.0)}});
+  Angle const lift(std::acos(rays.horizonCosine(0, 0.0)) - 0.5 * std::numbers::pi);
+  return fmt::format("bent and thinned by refraction, {:.1f}' on the ground's horizon",
+                     lift / arcminute);
+}
+
+}  // namespace
+
 std::string explain(const RenderPlan& plan) {
   std::string out;
   auto const section = [&](const char* title, const std::vector<Reason>& lines) {
@@ -472,6 +489,14 @@ std::string explain(const RenderPlan& plan) {
   };
   section("bodies", plan.drawn);
   section("atmosphere tables", plan.tables);
+  std::vector<Reason> sunlight;
+  std::set<std::string> media;
+  for (auto const& body : plan.bodies)
+    if (!body.atmosphere.empty() && media.insert(body.atmosphere).second)
+      sunlight.push_back(
+          {body.atmosphere, waysOfSunlight(readMedium(catalogsFolder() / "atmospheres" /
+                                                      (body.atmosphere + ".toml")))});
+  section("sunlight in air", sunlight);
   section("shadow pairs", plan.shadows);
   section("passes", plan.passes);
   if (!plan.sky.empty()) section("the same air in numbers", plan.sky);

@@ -38,6 +38,7 @@ TEST(RenderPlan, TotalityAtLuxorHasItsShadowAirAndQuery) {
   ASSERT_EQ(plan.tables.size(), 1u);
   EXPECT_EQ(plan.tables[0].what, "earth");
   EXPECT_THAT(plan.tables[0].why, HasSubstr("inside the air"));
+  EXPECT_THAT(explain(plan), HasSubstr("bent and thinned by refraction, 3"));
   ASSERT_EQ(plan.shadows.size(), 1u);
   EXPECT_EQ(plan.shadows[0].what, "Moon on Earth");
   EXPECT_TRUE(plan.queryOcclusion);
