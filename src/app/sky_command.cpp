@@ -260,7 +260,8 @@ void runSky(const Options& options) {
   request.camera = {{0.0, 0.0, (radiusKm + altitudeKm) * 1e3}};
   request.groundRadius = std::min(request.medium.radius, Length(request.camera.m.z));
   request.sun.toSun = directionAt(within(options.sunZenith, "--sun-zenith", 0.0, 180.0), 0.0);
-  if (options.sun == "disc") request.sun.discRadius = kReferenceSolarRadius;
+  double const sunDistanceAu = within(options.sunDistanceAu, "--sun-distance-au", 0.01, 1000.0);
+  if (options.sun == "disc") request.sun.discRadius = kReferenceSolarRadius / sunDistanceAu;
   request.sun.law = parseLimbDarkeningLaw(options.limbDarkening, "--limb-darkening");
   // More of them than a point unites (shaders/shared/several_casters.glsl) have no reference.
   if (options.occulters.size() > static_cast<size_t>(glsl::kMostDiscs))
@@ -313,8 +314,7 @@ void runSky(const Options& options) {
   }
 
   // Of the Sun at 1 au.
-  double const sunlight =
-      std::pow(within(options.sunDistanceAu, "--sun-distance-au", 0.01, 1000.0), -2.0);
+  double const sunlight = std::pow(sunDistanceAu, -2.0);
 
   SkyProgress progress;
   if (isatty(STDERR_FILENO)) progress = showProgress;
@@ -350,12 +350,12 @@ void addSkyCommand(CLI::App& program) {
       "nm, separated by commas; with --luminance by default those of the preset, or eight");
   sky->add_option("--method", options->method, "one of " + methods);
   sky->add_option("--sun", options->sun,
-                  "point, or disc of 0.004653 rad for the sunlight's directions");
+                  "point, or disc of 0.004653 rad at 1 au for the sunlight's directions");
   sky->add_option("--albedo", options->albedo, "of the ground, instead of the medium's");
   sky->add_option("--units", options->units,
                   "relative (radiance over the Sun's irradiance, 1/sr) or SI (W m-2 sr-1 nm-1)");
   sky->add_option("--sun-distance-au", options->sunDistanceAu,
-                  "of the medium's body, for SI units and luminance; 1 by default");
+                  "of the medium's body, for SI units, luminance and the disc; 1 by default");
   sky->add_option("--body", options->body,
                   "a body of catalogs/bodies on whose spheroid the observer is; altitude, zenith "
                   "and azimuths are then about its normal (render --explain prints them)");
