@@ -310,6 +310,12 @@ std::vector<double> AirTables::sourceLevels(const Medium& medium,
   return levels;
 }
 
+Angle AirTables::discOf(Angle sunRadius) {
+  constexpr double standard = 0.00465, step = 0.02;  // rad: at 1 au
+  if (!(sunRadius > Angle(0.0))) return sunRadius;
+  return Angle(standard * std::exp(step * std::round(std::log(sunRadius.si / standard) / step)));
+}
+
 // Of the rest, without forward peaks, then in haze the true ones.
 BentSunTexels AirTables::bentSun(const Medium& medium, const std::vector<std::size_t>& order,
                                  const AirPhases& phases, Angle sunRadius) const {
@@ -328,7 +334,7 @@ BentSunTexels AirTables::bentSun(const Medium& medium, const std::vector<std::si
       colours.push_back(std::move(colour));
     }
   }
-  return bentSunTexels(medium, groundRadius_, sunRadius, colours, quality_.depthWidth,
+  return bentSunTexels(medium, groundRadius_, discOf(sunRadius), colours, quality_.depthWidth,
                        quality_.depthHeight, kDensityTexels, layers_);
 }
 

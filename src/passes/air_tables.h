@@ -46,6 +46,10 @@ class AirTables {
   AirTables(const Medium& medium, Length groundRadius, const std::vector<Length>& wavelengths,
             const AirQuality& quality, Angle sunRadius);
 
+  // The Sun's disc as tables of bent sunlight take it: in steps of 2 %, so that they serve pictures
+  // of several months.
+  static Angle discOf(Angle sunRadius);
+
   // Of every program that includes interface/air.glsl.
   const gl::Definitions& definitions() const { return definitions_; }
   // Binds uniform block 1 and texture units 2 to 5.

@@ -189,12 +189,13 @@ struct BodiesPass::State {
   AirTables* air(const PlannedBody& body, std::string& key) {
     key.clear();
     if (body.atmosphere.empty()) return nullptr;
-    key = fmt::format("{} on {:.0f} m", body.atmosphere, body.equatorialRadius.si);
+    Angle const sunRadius(kSolarRadiusIau.si / glm::length(body.sun.m));
+    key = fmt::format("{} on {:.0f} m, Sun {:.4f} mrad", body.atmosphere, body.equatorialRadius.si,
+                      1e3 * AirTables::discOf(sunRadius).si);
     auto& tables = airs[key];
     if (!tables) {
       Medium const medium =
           readMedium(catalogsFolder() / "atmospheres" / (body.atmosphere + ".toml"));
-      Angle const sunRadius(kSolarRadiusIau.si / glm::length(body.sun.m));
       tables = std::make_unique<AirTables>(medium, body.equatorialRadius, wavelengths, quality,
                                            sunRadius);
       ++tablesBuilt;
