@@ -105,8 +105,7 @@ void follow(const char* file, int every, double bar) {
           EXPECT_LT(std::fabs(error), (preset == "accurate" ? 0.10 : 0.20) + own) << what;
           here.worstIrradiance = std::max(here.worstIrradiance, std::fabs(error));
         } else {
-          // In haze, 39 % in one red row low over the Sun's horizon.
-          EXPECT_LT(std::fabs(error), name == "earth" ? 0.45 : 0.35) << what;
+          EXPECT_LT(std::fabs(error), 0.35) << what;
           here.sum += std::fabs(error), ++here.count;
           here.worst = std::max(here.worst, std::fabs(error));
         }
