@@ -26,7 +26,7 @@ struct AirQuality {
   int zenithDirections = 12;   // directions over which radiance is averaged
   int azimuthDirections = 6;   // in half a turn
   int sourceSamples = 16;      // samples a leg, when the source is computed
-  int skySamples = 12;         // samples a leg, in the sky table
+  int skySamples = 16;         // samples a leg, in the sky table
   int viewSamples = 12;        // samples a leg, per pixel: limb, twilight
   int groundSamples = 8;       // per pixel of sunlit ground seen through air
   int airScale = 1;            // pixels a side that share a sample of the air's light: 1, 2 or 4

@@ -64,9 +64,8 @@ TEST(TradeSky, TellsWhatIsWrong) {
   EXPECT_THAT(tradeSky(scene + " --size wide"), AllOf(HasSubstr("--size"), HasSubstr("wide")));
 }
 
-// configs/quality/front.json, which README shows: measured with the presets as they are; `draft`
-// and `balanced` are on the front, `accurate` within 0.2 % of its luminance. What does not depend
-// on the machine is measured again.
+// configs/quality/front.json, which README shows: measured with the presets as they are, and they
+// are on the front. What does not depend on the machine is measured again.
 TEST(TradeSky, PresetsAreOnTheStoredFront) {
   auto const file = configsFolder() / "quality" / "front.json";
   auto const stored = nlohmann::json::parse(std::ifstream(file));
@@ -81,14 +80,7 @@ TEST(TradeSky, PresetsAreOnTheStoredFront) {
       tradeSky(scenes + "--size 64x36 --knobs none --format json --reference " +
                (rootFolder() / "tests/authorities/trade_sky_reference.json").string()));
   for (std::string const preset : {"draft", "balanced", "accurate"}) {
-    if (preset == "accurate") {
-      double least = 100.0;
-      for (auto const& [name, row] : rows)
-        least = std::min(least, row["luminance_error_percent"].get<double>());
-      EXPECT_LT(rows.at(preset)["luminance_error_percent"].get<double>(), least + 0.2);
-    } else {
-      EXPECT_TRUE(rows.at(preset)["on_front"].get<bool>()) << preset;
-    }
+    EXPECT_TRUE(rows.at(preset)["on_front"].get<bool>()) << preset;
     EXPECT_EQ(stored["preset " + preset], found["preset " + preset]);
   }
   for (auto const& row : found["rows"]) {

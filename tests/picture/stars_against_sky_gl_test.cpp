@@ -52,7 +52,7 @@ struct SkyWithStars {
 // where it brightens a pixel of the displayed picture by three steps of 255.
 SkyWithStars skyAt(const std::string& time, PictureRenderer& renderer, bool eye = false) {
   Scene scene = readScene(configsFolder() / "scenes" / "luxor_dome.toml");
-  scene.quality = "draft";
+  scene.quality = "balanced";
   scene.picture = {ProjectionKind::Perspective, 60.0 * degree, 640, 640};
   auto const placed = placeScene(scene, parseInstant(time, "test"), BodyCatalogue::standard(),
                                  Ephemeris::standard(), DeltaT::standard());
