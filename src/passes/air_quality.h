@@ -39,7 +39,7 @@ struct AirQuality {
   int eclipseTurns = 8;        // in a whole turn
   int eclipseSamples = 5;      // samples a part of a leg
   int eclipseOrders = 4;       // of scattering
-  int eclipseSkySamples = 12;  // samples a part of a leg in the sky table
+  int eclipseSkySamples = 16;  // samples a part of a leg in the sky table
   bool operator==(const AirQuality&) const = default;
   // Throws InputError with file and line for unknown keys and values out of range.
   static AirQuality read(const Table& table);
