@@ -13,6 +13,7 @@
 #include "passes/sky_sampler.h"
 #include "quantity/constants.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/shadow_probe.h"
 
 namespace antumbra {
 namespace {
@@ -106,19 +107,8 @@ TEST_F(EclipseStability, NoLightInASealedUmbraWithoutAir) {
       double const distance = (umbra - 2.0) * std::sqrt(unit(random));
       places.emplace_back(glm::vec3(pair.foot + pair.axis * along + side * distance), 0.0f);
     }
-    gl::Buffer in, out;
-    in.write(std::span<const glm::vec4>(places));
-    std::vector<glm::vec4> light(places.size());
-    out.write(std::span<const glm::vec4>(light));
-    in.bindStorage(0);
-    out.bindStorage(1);
-    shadows.bind();
-    probe.use();
-    glDispatchCompute(static_cast<GLuint>((places.size() + 31) / 32), 1, 1);
-    glMemoryBarrier(GL_ALL_BARRIER_BITS);
-    glGetNamedBufferSubData(out.id(), 0, static_cast<GLsizeiptr>(light.size() * sizeof(glm::vec4)),
-                            light.data());
-    for (auto const& l : light) ASSERT_EQ(l, glm::vec4(0.0f));
+    for (auto const& l : testsupport::lightAt(shadows, probe, places))
+      ASSERT_EQ(l, glm::vec4(0.0f));
   }
 }
 

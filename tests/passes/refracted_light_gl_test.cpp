@@ -11,6 +11,7 @@
 #include "passes/body_shadows.h"
 #include "quantity/constants.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/shadow_probe.h"
 
 namespace antumbra {
 namespace {
@@ -46,19 +47,8 @@ TEST_F(RefractedLightGlTest, ProgramsReadTheLightOfTheShadow) {
       places.emplace_back(glm::vec3(pair.foot + pair.axis * along + side * rho), 0.0f);
       stations.push_back({along, rho});
     }
-  gl::Buffer in, out;
-  in.write(std::span<const glm::vec4>(places));
-  std::vector<glm::vec4> found(places.size());
-  out.write(std::span<const glm::vec4>(found));
-  in.bindStorage(0);
-  out.bindStorage(1);
-  shadows.bind();
   light.bind();
-  probe.use();
-  glDispatchCompute(static_cast<GLuint>((places.size() + 31) / 32), 1, 1);
-  glMemoryBarrier(GL_ALL_BARRIER_BITS);
-  glGetNamedBufferSubData(out.id(), 0, static_cast<GLsizeiptr>(found.size() * sizeof(glm::vec4)),
-                          found.data());
+  auto const found = testsupport::lightAt(shadows, probe, places);
   double worst = 0.0;
   for (std::size_t i = 0; i < places.size(); ++i) {
     ShadowStation const at{kSolarRadiusIau, astronomicalUnit,

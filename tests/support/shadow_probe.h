@@ -9,13 +9,10 @@
 
 namespace antumbra::testsupport {
 
-// By shaders/bench/shadow_probe.comp at the shadows' first four wavelengths; `places` in scaled
-// space, metres from the receiver's centre.
-inline std::vector<glm::vec4> lightAt(const BodyShadows& shadows,
+// By a program of shaders/bench/shadow_probe.comp, which gives the first four wavelengths; what it
+// reads besides the shadows is bound. `places` in scaled space, metres from the receiver's centre.
+inline std::vector<glm::vec4> lightAt(const BodyShadows& shadows, const gl::Program& probe,
                                       const std::vector<glm::vec4>& places) {
-  auto definitions = shadows.definitions();
-  definitions.emplace_back("AIR_LAYERS", "1");
-  auto const probe = gl::Program::compute("bench/shadow_probe.comp", definitions);
   gl::Buffer in, out;
   in.write(std::span<const glm::vec4>(places));
   std::vector<glm::vec4> light(places.size());
@@ -29,6 +26,12 @@ inline std::vector<glm::vec4> lightAt(const BodyShadows& shadows,
   glGetNamedBufferSubData(out.id(), 0, static_cast<GLsizeiptr>(light.size() * sizeof(glm::vec4)),
                           light.data());
   return light;
+}
+inline std::vector<glm::vec4> lightAt(const BodyShadows& shadows,
+                                      const std::vector<glm::vec4>& places) {
+  auto definitions = shadows.definitions();
+  definitions.emplace_back("AIR_LAYERS", "1");
+  return lightAt(shadows, gl::Program::compute("bench/shadow_probe.comp", definitions), places);
 }
 
 }  // namespace antumbra::testsupport
