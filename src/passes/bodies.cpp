@@ -253,9 +253,8 @@ void BodiesPass::prepare(const PlannedBody& body, const Projection& picture, con
     for (auto const& caster : body.casters)
       pairs.push_back(shadowPair(body.sun, caster.centre, caster.radii, caster.figure));
     double const reach = radius + (air ? air->top().si : 0.0);
-    gl::Definitions wanted{{"SHADOW_PAIRS", std::to_string(pairs.size())}};
-    if (look.corona) wanted.emplace_back("CORONA_LIGHT", "");
-    if (!resident.shadows || keyOf(resident.shadows->definitions()) != keyOf(wanted) ||
+    auto const wanted = BodyShadows::definitions(pairs.size(), look.corona != nullptr);
+    if (!resident.shadows || resident.shadows->definitions() != wanted ||
         resident.law != look.law || resident.illustrative != look.illustrative) {
       resident.shadows = std::make_unique<BodyShadows>(pairs, flat, look.law, s.wavelengths,
                                                        Length(reach), look.corona);

@@ -32,10 +32,13 @@ BodyShadows::BodyShadows(const std::vector<glsl::ShadowPair>& pairs, double pola
   update(pairs);
 }
 
-gl::Definitions BodyShadows::definitions() const {
-  gl::Definitions d{{"SHADOW_PAIRS", std::to_string(count_)}};
-  if (corona_) d.emplace_back("CORONA_LIGHT", "");
+gl::Definitions BodyShadows::definitions(std::size_t casters, bool corona) {
+  gl::Definitions d{{"SHADOW_PAIRS", std::to_string(casters)}};
+  if (corona) d.emplace_back("CORONA_LIGHT", "");
   return d;
+}
+gl::Definitions BodyShadows::definitions() const {
+  return definitions(static_cast<std::size_t>(count_), corona_ != nullptr);
 }
 
 void BodyShadows::update(const std::vector<glsl::ShadowPair>& pairs) {

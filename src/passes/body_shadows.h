@@ -33,6 +33,9 @@ class BodyShadows {
   void setCorona(std::shared_ptr<const CoronaLight> corona) { corona_ = std::move(corona); }
   // Uniform blocks 7 and 8, texture unit 8.
   void bind() const;
+  // What programs are compiled with for so many casters, with a corona that shines past them or
+  // none.
+  static gl::Definitions definitions(std::size_t casters, bool corona);
   gl::Definitions definitions() const;
   std::size_t bytes() const { return table_.bytes(); }
 
