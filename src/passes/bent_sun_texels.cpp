@@ -80,6 +80,8 @@ BentSunTexels bentSunTexels(const Medium& medium, Length groundRadius, Angle sun
                             const std::vector<BentColour>& colours, int width, int height,
                             int groundTexels, int groundRows) {
   BentSunlight const rays(medium, groundRadius, Length(0.0), colours);
+  std::vector<DiscLight> discs;
+  for (std::size_t c = 0; c < colours.size(); ++c) discs.emplace_back(rays, c, sunRadius.si);
   auto const shell = shellOf(groundRadius.si, medium.topHeight.si);
   BentSunTexels texels;
   // The least factor that holds the Sun's upper limb on the horizon at every height, and a texel.
@@ -89,8 +91,8 @@ BentSunTexels bentSunTexels(const Medium& medium, Length groundRadius, Angle sun
     double const h = glsl::heightAndCosineAt(shell, place).height;
     heights.push_back(h);
     auto const row = glsl::depthRow(shell, std::min(h, shell.top));
-    for (std::size_t c = 0; c < colours.size(); ++c) {
-      double const z = std::acos(rays.horizonCosine(c, h)) + sunRadius.si;
+    for (auto const& disc : discs) {
+      double const z = disc.horizonAt(h) + sunRadius.si;
       double const rise = (shell.radius + h) * std::cos(z);
       double const root = std::sqrt(std::max(rise * rise + row.gain, 0.0));
       double const distance = glsl::distanceBetweenRises(rise, root, row.gain);
@@ -103,7 +105,7 @@ BentSunTexels bentSunTexels(const Medium& medium, Length groundRadius, Angle sun
   auto const columns = static_cast<std::size_t>(width), rows = static_cast<std::size_t>(height);
   texels.depths.assign(columns * rows * groups * 4, 0.0f);
   for (std::size_t c = 0; c < colours.size(); ++c) {
-    DiscLight const disc(rays, c, sunRadius.si);
+    DiscLight const& disc = discs[c];
     for (std::size_t y = 0; y < rows; ++y) {
       double const h = heights[y], r = shell.radius + h;
       double const horizon = disc.horizonAt(h);
@@ -123,13 +125,12 @@ BentSunTexels bentSunTexels(const Medium& medium, Length groundRadius, Angle sun
   }
 
   double horizon = 0.5 * std::numbers::pi;
-  for (std::size_t c = 0; c < colours.size(); ++c)
-    horizon = std::max(horizon, std::acos(rays.horizonCosine(c, 0.0)));
+  for (auto const& disc : discs) horizon = std::max(horizon, disc.horizonAt(0.0));
   texels.lowestCosine = std::cos(horizon + sunRadius.si);
   auto const along = static_cast<std::size_t>(groundTexels);
   texels.ground.assign(along * static_cast<std::size_t>(groundRows) * 4, 0.0f);
   for (std::size_t c = 0; c < static_cast<std::size_t>(groundRows) * 4; ++c) {
-    DiscLight const disc(rays, c, sunRadius.si);
+    DiscLight const& disc = discs[c];
     double const own = disc.horizonAt(0.0);
     for (std::size_t x = 0; x < along; ++x) {
       double const u = static_cast<double>(x) / static_cast<double>(groundTexels - 1);
