@@ -22,10 +22,9 @@ layout(std140, binding = 7) uniform Shadows {
 #endif
 };
 // Visible light of the limb-darkened disc over shadowLightScale, caster times AIR_LAYERS layers; y:
-// along the axis, over the sunlit side of the body and a quarter of its radius beyond. The first
-// SHADOW_INNER texels of a row lie in the antumbra, over the distance from the axis; the others
-// between the edge of umbra or antumbra and the penumbra's, over the square root of the share of the
-// way. So the kinks at these edges lie between texels and stay sharp.
+// shareAlongAxis. The first SHADOW_INNER texels of a row lie in the antumbra, over the distance from the
+// axis; the others between the edge of umbra or antumbra and the penumbra's, over the square root of the
+// share of the way. So the kinks at these edges lie between texels and stay sharp.
 layout(binding = 8) uniform sampler2DArray shadowLight;
 layout(std140, binding = 8) uniform ShadowLaws {
   LimbDarkening shadowLaws[AIR_LAYERS];
@@ -70,7 +69,7 @@ vec4 sunlightPast(int caster, ShadowTablePlace place, int layer) {
   float column = place.inner < 1.0
                      ? place.inner * float(SHADOW_INNER - 1)
                      : float(SHADOW_INNER) + place.outer * (size.x - float(SHADOW_INNER + 1));
-  float row = clamp((1.0 + place.along / shadowScale.y) / 1.25, 0.0, 1.0) * (size.y - 1.0);
+  float row = shareAlongAxis(place.along, shadowScale.y) * (size.y - 1.0);
   return shadowLightScale(shadowPairs[caster], place, shadowLaws[layer].exponent.y) *
          textureLod(shadowLight, vec3((vec2(column, row) + 0.5) / size,
                                       float(caster * AIR_LAYERS + layer)), 0.0);
@@ -81,7 +80,7 @@ vec4 sunlightPast(int caster, ShadowTablePlace place, int layer) {
 float coronaPast(int caster, ShadowPlace where) {
   float umbra = umbraRadiusAt(shadowPairs[caster], where);
   float across = where.distance < umbra ? where.distance / umbra : 1.0;
-  float along = clamp((1.0 + where.along / shadowScale.y) / 1.25, 0.0, 1.0);
+  float along = shareAlongAxis(where.along, shadowScale.y);
   return coronaPastCaster(shadowCorona[caster], along, across * across);
 }
 #endif

@@ -11,7 +11,7 @@ void main() {
   LimbDarkening law = shadowLaws[texel.z - caster * AIR_LAYERS];
   ShadowPair pair = shadowPairs[caster];
   ShadowTablePlace place;
-  place.along = shadowScale.y * (1.25 * float(texel.y) / float(size.y - 1) - 1.0);
+  place.along = alongAxisAt(float(texel.y) / float(size.y - 1), shadowScale.y);
   place.umbra = umbraRadiusAt(pair, place.along);
   place.inner = min(float(texel.x) / float(SHADOW_INNER - 1), 1.0);
   // The first texel beyond the edge stands for a place just outside it.

@@ -83,6 +83,15 @@ Length penumbraRadiusAt(ShadowPair pair, ShadowPlace place) {
   return penumbraRadiusAt(pair, place.along) + stretchedSunAt(pair, place.along, place.stretch);
 }
 
+// Tables of a shadow on a body run along its axis over the sunlit side and a quarter of `reach`, the
+// greatest distance from the centre, beyond: the share of that way at a distance from the foot, and
+// back.
+Number shareAlongAxis(Length along, Length reach) {
+  return clamp((1.0 + along / reach) / 1.25, 0.0, 1.0);
+}
+
+Length alongAxisAt(Number share, Length reach) { return reach * (1.25 * share - 1.0); }
+
 // Whether any point of a sphere may lose sunlight: never false where some does. A sphere of radius
 // 0 asks for a point.
 bool mayBeShaded(ShadowPair pair, Position centre, Length radius) {

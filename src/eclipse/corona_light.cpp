@@ -117,7 +117,7 @@ glsl::CoronaFit CoronaLight::fit(const glsl::ShadowPair& pair, Length reach) con
   std::array<std::array<double, 3>, 4> coefficients{};  // by power across
   std::array<std::array<double, 4>, 3> rows{};
   for (std::size_t a = 0; a < 3; ++a) {
-    double const along = reach.si * (1.25 * alongs[a] - 1.0);
+    double const along = glsl::alongAxisAt(alongs[a], reach.si);
     double const umbra = std::max(glsl::umbraRadiusAt(pair, along), 0.0);
     std::array<double, 4> values{};
     for (std::size_t q = 0; q < 4; ++q)

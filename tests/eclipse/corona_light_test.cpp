@@ -112,7 +112,7 @@ glsl::ShadowPair pairOf(double casterRadius, double casterDistance, double sunDi
 }
 
 double fitted(const glsl::CoronaFit& fit, double along, double reach, double share) {
-  return std::exp2(glsl::coronaPastCaster(fit, (along / reach + 1.0) / 1.25, share * share));
+  return std::exp2(glsl::coronaPastCaster(fit, glsl::shareAlongAxis(along, reach), share * share));
 }
 
 TEST(CoronaLight, FitsAllOfAnUmbra) {
