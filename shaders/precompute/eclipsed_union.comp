@@ -5,7 +5,6 @@
 // light in the Moon's shadow on the Earth comes from, fitted to the path tracer's irradiance from the
 // axis out to the penumbra's edge (half from within 20 km, 1 % from beyond 200 km, where the umbra's
 // centre gets all of its light).
-#define AIR_BY_MOMENTS
 #include "interface/eclipsed_air.glsl"
 layout(local_size_x = 8, local_size_y = 4) in;
 layout(rgba16f, binding = 0) writeonly uniform image2DArray map;
