@@ -11,7 +11,6 @@
 
 #include "atmosphere/scaled_sphere.h"
 #include "document/input_error.h"
-#include "document/paths.h"
 #include "document/text_output.h"
 #include "document/whole_file.h"
 #include "photometry/colour.h"
@@ -46,7 +45,7 @@ const PlannedBody& bodyWithAir(const SceneSession::Moment& moment) {
 nlohmann::ordered_json descriptionOf(const AirView& view) {
   auto const& q = view.question;
   nlohmann::ordered_json d;
-  std::ifstream in(catalogsFolder() / "atmospheres" / (view.body.atmosphere + ".toml"));
+  std::ifstream in(mediumFile(view.body.atmosphere));
   std::stringstream content;
   content << in.rdbuf();
   d["medium"] = view.body.atmosphere;
@@ -94,7 +93,7 @@ AirView airViewOf(const SceneSession::Moment& moment, std::size_t count) {
   view.picture = moment.plan.picture;
   auto const& body = view.body;
   auto& q = view.question;
-  q.medium = readMedium(catalogsFolder() / "atmospheres" / (body.atmosphere + ".toml"));
+  q.medium = readMedium(mediumFile(body.atmosphere));
   q.medium.radius = body.equatorialRadius;
   double const radius = body.equatorialRadius.si, height = std::max(body.cameraHeight.si, 0.01);
   q.camera = {{0.0, 0.0, radius + height}};

@@ -12,7 +12,6 @@
 #include "app/sky_methods.h"
 #include "app/trade_front.h"
 #include "document/document.h"
-#include "document/paths.h"
 #include "document/text_output.h"
 #include "gl/context.h"
 #include "passes/air_quality.h"
@@ -164,9 +163,8 @@ void run(const Options& o) {
   for (double z : o.sunZeniths)
     if (!(z >= 0.0 && z <= 89.0))
       throw InputError(fmt::format("--sun-zenith: found {}; allowed: 0 to 89 (degrees)", z));
-  Medium const medium =
-      readMedium(o.medium.empty() ? catalogsFolder() / "atmospheres/reference_bruneton2017.toml"
-                                  : std::filesystem::path(o.medium));
+  Medium const medium = readMedium(o.medium.empty() ? mediumFile("reference_bruneton2017")
+                                                    : std::filesystem::path(o.medium));
   auto const points = pointsAround(o.quality);
   auto cases = casesOf(o, medium);
   gl::HeadlessContext const context;

@@ -64,6 +64,8 @@ struct Medium {
   std::vector<Length> kinks() const;
 };
 
+// The file of a medium of catalogs/atmospheres, by its name there, as "earth".
+std::filesystem::path mediumFile(const std::string& name);
 Medium readMedium(const std::filesystem::path& file);
 // From the text of such a file; `name` opens messages. Cross-section files are looked up in
 // catalogs/.

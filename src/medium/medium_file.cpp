@@ -240,6 +240,10 @@ Medium readTable(const Table& root) {
 
 }  // namespace
 
+std::filesystem::path mediumFile(const std::string& name) {
+  return catalogsFolder() / "atmospheres" / (name + ".toml");
+}
+
 Medium readMedium(const std::filesystem::path& file) {
   return readTable(Document::load(file).root());
 }

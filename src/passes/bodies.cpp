@@ -8,7 +8,6 @@
 #include <numbers>
 #include <optional>
 
-#include "document/paths.h"
 #include "gl/framebuffer.h"
 #include "gl/view_block.h"
 #include "medium/medium.h"
@@ -194,8 +193,7 @@ struct BodiesPass::State {
                       1e3 * AirTables::discOf(sunRadius).si);
     auto& tables = airs[key];
     if (!tables) {
-      Medium const medium =
-          readMedium(catalogsFolder() / "atmospheres" / (body.atmosphere + ".toml"));
+      Medium const medium = readMedium(mediumFile(body.atmosphere));
       tables = std::make_unique<AirTables>(medium, body.equatorialRadius, wavelengths, quality,
                                            sunRadius);
       ++tablesBuilt;
@@ -216,9 +214,9 @@ struct BodiesPass::State {
                                                  caster.atmosphere, caster.radii.casterUmbra.si,
                                                  caster.radii.sun.si, static_cast<int>(law))];
       if (!table)
-        table = std::make_shared<RefractedShadowTable>(
-            readMedium(catalogsFolder() / "atmospheres" / (caster.atmosphere + ".toml")),
-            caster.radii.casterUmbra, caster.radii.sun, wavelengths, law);
+        table = std::make_shared<RefractedShadowTable>(readMedium(mediumFile(caster.atmosphere)),
+                                                       caster.radii.casterUmbra, caster.radii.sun,
+                                                       wavelengths, law);
       tables.push_back(table);
     }
     return tables;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "atmosphere/single_scattering.h"
-#include "document/paths.h"
 #include "photometry/colour.h"
 #include "photometry/spectral_weights.h"
 #include "photometry/standard_spectra.h"
@@ -50,10 +49,7 @@ glm::dvec3 SunlightThroughAir::share(const RenderPlan& plan) {
     glm::dvec3 const sun = glm::normalize(stretch * (turn * plan.sun.direction.u));
     auto known = media_.find(body.atmosphere);
     if (known == media_.end())
-      known = media_
-                  .emplace(body.atmosphere, readMedium(catalogsFolder() / "atmospheres" /
-                                                       (body.atmosphere + ".toml")))
-                  .first;
+      known = media_.emplace(body.atmosphere, readMedium(mediumFile(body.atmosphere))).first;
     Medium const& medium = known->second;
     double const r = medium.radius.si + std::max(body.cameraHeight.si, 0.0);
     double const cosine = glm::dot(up, sun);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "document/paths.h"
 #include "plan/air_profile.h"
 
 namespace antumbra {
@@ -169,8 +168,7 @@ void ShadowTrial::findEdges() {
 }
 
 void ShadowTrial::findAirRays(const Projection& picture) {
-  Medium const medium =
-      readMedium(catalogsFolder() / "atmospheres" / (receiver_.atmosphere + ".toml"));
+  Medium const medium = readMedium(mediumFile(receiver_.atmosphere));
   AirProfile const profile(medium, kWavelengths[2]);
   double const a = receiver_.equatorialRadius;
   glm::dvec3 const stretch(1.0, 1.0, a / receiver_.polarRadius);

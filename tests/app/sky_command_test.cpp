@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "document/input_error.h"
 #include "document/paths.h"
+#include "medium/medium.h"
 #include "photometry/magnitude.h"
 
 namespace antumbra {
@@ -17,9 +18,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-std::string mediumFile() {
-  return (catalogsFolder() / "atmospheres/reference_bruneton2017.toml").string();
-}
+std::string bruneton() { return mediumFile("reference_bruneton2017").string(); }
 
 // What the command prints, or the message of its InputError.
 std::string sky(const std::string& options) {
@@ -48,8 +47,7 @@ class SkyCommand : public testing::Test {
   // Options with a file of these directions.
   std::string look(const std::string& lines, const std::string& options) {
     std::ofstream(directions_) << lines;
-    return sky("--medium " + mediumFile() + " --directions " + directions_.string() + " " +
-               options);
+    return sky("--medium " + bruneton() + " --directions " + directions_.string() + " " + options);
   }
   std::filesystem::path directions_;
 };
@@ -84,7 +82,7 @@ TEST_F(SkyCommand, SiUnitsAreTheSunTimesTheRelativeOnes) {
 }
 
 TEST_F(SkyCommand, LuminanceAndIrradiance) {
-  std::string const base = "--medium " + mediumFile() + " --sun-zenith 30 --method single ";
+  std::string const base = "--medium " + bruneton() + " --sun-zenith 30 --method single ";
   EXPECT_THAT(sky(base + "--irradiance --wavelengths 550"),
               testing::StartsWith("wavelength_nm,direct,diffuse\n550,0.735"));
   EXPECT_THAT(sky(base + "--irradiance --luminance"),
@@ -110,8 +108,8 @@ TEST_F(SkyCommand, ASpheroidChangesTheLightALittle) {
 }
 
 TEST_F(SkyCommand, OccultedAxisHasNoDirectLight) {
-  std::string const base = "--medium " + mediumFile() +
-                           " --sun-zenith 35 --wavelengths 550 --irradiance --method single ";
+  std::string const base =
+      "--medium " + bruneton() + " --sun-zenith 35 --wavelengths 550 --irradiance --method single ";
   EXPECT_THAT(sky(base + "--occulter ratio=1.0515,shift-km=0"), HasSubstr("550,0,"));
   // The light of the crescent by an independent quadrature of I = mu^alpha over it: 7.2774e-4 of
   // the Sun's, at the direct irradiance of the uneclipsed 0.68886.
@@ -124,8 +122,8 @@ TEST_F(SkyCommand, OccultedAxisHasNoDirectLight) {
 }
 
 TEST_F(SkyCommand, SeveralOccultersHideTheSunByTheirUnion) {
-  std::string const base = "--medium " + mediumFile() +
-                           " --sun-zenith 35 --wavelengths 550 --irradiance --method single ";
+  std::string const base =
+      "--medium " + bruneton() + " --sun-zenith 35 --wavelengths 550 --irradiance --method single ";
   std::string const left = "--occulter ratio=1.0515,shift-km=-900 ";
   std::string const right = "--occulter ratio=1.0515,shift-km=900 ";
   auto const direct = [&](const std::string& occulters) {
@@ -176,9 +174,8 @@ TEST_F(SkyCommand, TotalityIsAsBrightAsMeasured) {
     for (std::string const corona : {"", " --corona 0.5"}) {
       if (method == "accurate" && !corona.empty()) continue;  // the corona is no matter of presets
       std::string const options = totality + "--method " + method + corona;
-      auto const [direct, diffuse] =
-          firstTwo(sky("--medium " + mediumFile() + " --irradiance " + options),
-                   "direct_lx,diffuse_lx,x,y\n");
+      auto const [direct, diffuse] = firstTwo(
+          sky("--medium " + bruneton() + " --irradiance " + options), "direct_lx,diffuse_lx,x,y\n");
       auto const out = look("view_zenith_deg,rel_azimuth_deg\n0,0\n", options);
       auto const zenith = surfaceBrightnessOfLuminance(firstTwo(out, "x,y\n0,0,").first);
       std::printf("%s%s: %.2f lx (%.3f direct), zenith %.2f mag/arcsec2\n", method.c_str(),

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "document/paths.h"
 #include "tests/support/ray_equation.h"
 
 namespace antumbra {
@@ -18,9 +17,7 @@ namespace {
 
 using testsupport::RayEquation;
 
-Medium catalogue(const std::string& name) {
-  return readMedium(catalogsFolder() / "atmospheres" / (name + ".toml"));
-}
+Medium catalogue(const std::string& name) { return readMedium(mediumFile(name)); }
 
 BentSunlight tableOf(const Medium& medium, Length wavelength) {
   BentColour colour{medium.refractivity.at(wavelength), {}};

@@ -28,9 +28,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-Medium catalogue(const std::string& name) {
-  return readMedium(catalogsFolder() / "atmospheres" / (name + ".toml"));
-}
+Medium catalogue(const std::string& name) { return readMedium(mediumFile(name)); }
 
 Direction<AirFrame> directionAt(double zenith, double azimuth) {
   double const z = zenith * kDegree, a = azimuth * kDegree;

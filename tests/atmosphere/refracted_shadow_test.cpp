@@ -10,7 +10,6 @@
 #include <numbers>
 #include <random>
 
-#include "document/paths.h"
 #include "eclipse/shadow_pair.h"
 #include "photometry/standard_spectra.h"
 #include "tests/support/csv.h"
@@ -21,9 +20,7 @@ namespace {
 constexpr Length kEarth{6371e3};
 constexpr ShadowStation kMoon{Length(695700e3), Length(149597870.7e3), Length(384400e3)};
 
-Medium medium(const std::string& name) {
-  return readMedium(catalogsFolder() / "atmospheres" / (name + ".toml"));
-}
+Medium medium(const std::string& name) { return readMedium(mediumFile(name)); }
 
 // A ray through the air by d/ds (n dr/ds) = grad n in two dimensions, Runge-Kutta of fourth order
 // with steps of `step` metres; the gradient from central differences over 1 m. `b`: distance of the

@@ -7,14 +7,11 @@
 #include <random>
 
 #include "atmosphere/single_scattering.h"
-#include "document/paths.h"
 
 namespace antumbra {
 namespace {
 
-Medium bruneton() {
-  return readMedium(catalogsFolder() / "atmospheres/reference_bruneton2017.toml");
-}
+Medium bruneton() { return readMedium(mediumFile("reference_bruneton2017")); }
 constexpr Length kGreen{550e-9};
 
 TEST(SpectralMedium, TabulatedDepthsAgreeWithQuadrature) {

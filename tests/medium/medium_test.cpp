@@ -18,9 +18,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-Medium catalogue(const std::string& name) {
-  return readMedium(catalogsFolder() / "atmospheres" / (name + ".toml"));
-}
+Medium catalogue(const std::string& name) { return readMedium(mediumFile(name)); }
 
 double sphereIntegral(const PhaseFunction& phase, Length wavelength) {
   // Substitution 1 - cosine = 2 t^4 from both ends resolves peaks of g = 0.99; midpoint rule.

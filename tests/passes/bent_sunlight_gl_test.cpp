@@ -23,9 +23,7 @@ namespace {
 
 using BentSunlightGlTest = testsupport::GlTest;
 
-Medium catalogue(const std::string& name) {
-  return readMedium(catalogsFolder() / "atmospheres" / (name + ".toml"));
-}
+Medium catalogue(const std::string& name) { return readMedium(mediumFile(name)); }
 
 // Zenith radiance over E0 at the ground by sunlight scattered once: rays of the differential
 // equation to heights 1 km apart.

@@ -7,7 +7,6 @@
 
 #include "atmosphere/path_tracer.h"
 #include "atmosphere/single_scattering.h"
-#include "document/paths.h"
 #include "passes/sky_sampler.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/larger.h"
@@ -29,7 +28,7 @@ TEST_F(CoronaSky, IsTheReferencesCorona) {
   std::vector<Length> const wavelengths{440.0 * nanometre, 550.0 * nanometre, 680.0 * nanometre};
   auto const corona = std::make_shared<CoronaLight>(0.5, LimbDarkeningLaw::Hestroffer);
   for (std::string const name : {"reference_bruneton2017", "earth"}) {
-    auto const medium = readMedium(catalogsFolder() / "atmospheres" / (name + ".toml"));
+    auto const medium = readMedium(mediumFile(name));
     Sunlight sun;
     sun.toSun = directionAt(sunZenith, Angle(0.0));
     Position<AirFrame> const camera{{0.0, 0.0, medium.radius.si}};

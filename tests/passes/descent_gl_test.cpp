@@ -7,7 +7,6 @@
 #include <cstdio>
 
 #include "atmosphere/single_scattering.h"
-#include "document/paths.h"
 #include "passes/sky_sampler.h"
 #include "tests/support/gl_fixture.h"
 
@@ -21,7 +20,7 @@ using Descent = testsupport::GlTest;
 // The tangent ray passes 20 km (at most half the camera's height) above the ground, sideways to the
 // Sun.
 TEST_F(Descent, FollowsTheIntegratorFromHeightToHeight) {
-  auto const medium = readMedium(catalogsFolder() / "atmospheres/reference_bruneton2017.toml");
+  auto const medium = readMedium(mediumFile("reference_bruneton2017"));
   Length const wavelength = 550.0 * nanometre;
   AirQuality quality;
   quality.orders = 0;

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <random>
 
-#include "document/paths.h"
 #include "passes/body_shadows.h"
 #include "passes/sky_sampler.h"
 #include "quantity/constants.h"
@@ -40,7 +39,7 @@ glsl::ShadowPair randomPair(std::mt19937_64& random, const glm::dvec3& toSun, do
 }
 
 TEST_F(EclipseStability, LightIsFiniteAndNeverNegative) {
-  auto const medium = readMedium(catalogsFolder() / "atmospheres/earth.toml");
+  auto const medium = readMedium(mediumFile("earth"));
   SkySampler sampler(medium, {440.0 * nanometre, 550.0 * nanometre, 680.0 * nanometre},
                      AirQuality::preset("draft"));
   std::mt19937_64 random(20270802);

@@ -70,9 +70,8 @@ void follow(const char* file, int every, double bar) {
   for (auto const& [place, rows] : places) {
     std::string const name = place.front();
     auto const invented = rootFolder() / "tests/authorities/media" / (name + ".toml");
-    Medium const medium = readMedium(std::filesystem::exists(invented)
-                                         ? invented
-                                         : catalogsFolder() / "atmospheres" / (name + ".toml"));
+    Medium const medium =
+        readMedium(std::filesystem::exists(invented) ? invented : mediumFile(name));
     int const turn = number++ % every;
     for (std::string const preset : {"balanced", "accurate"}) {
       if (only ? preset != only : !all && turn != (preset == "balanced" ? 0 : every / 2)) continue;

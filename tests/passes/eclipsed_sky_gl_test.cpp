@@ -61,7 +61,7 @@ std::map<double, std::vector<Row>> referenceRows() {
 // Bars: irradiance within 10 % at every row although it spans a factor of 2000, radiance in
 // totality within 12 % in the mean and 35 % in any direction. SKY_ALL_ROWS=1 tries every distance.
 TEST_F(EclipsedSky, FollowsTheMonteCarloReference) {
-  auto const medium = readMedium(catalogsFolder() / "atmospheres/reference_bruneton2017.toml");
+  auto const medium = readMedium(mediumFile("reference_bruneton2017"));
   AirQuality quality;
   if (const char* preset = std::getenv("SKY_PRESET")) quality = AirQuality::preset(preset);
   double radianceSum = 0.0;
@@ -104,7 +104,7 @@ TEST_F(EclipsedSky, FollowsTheMonteCarloReference) {
 // `balanced`: irradiance within 3.5 % (but for twice the rows' own 0.7 %), radiance 2.7 % in the
 // mean, 8 % at worst. SKY_ALL_ROWS=1 tries every row.
 TEST_F(EclipsedSky, FollowsThePathTracerInOtherEclipses) {
-  auto const medium = readMedium(catalogsFolder() / "atmospheres/reference_bruneton2017.toml");
+  auto const medium = readMedium(mediumFile("reference_bruneton2017"));
   AirQuality quality;
   if (const char* preset = std::getenv("SKY_PRESET")) quality = AirQuality::preset(preset);
   std::vector<Length> const wavelengths{440.0 * nanometre, 550.0 * nanometre, 680.0 * nanometre};

@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "document/paths.h"
 #include "passes/sky_sampler.h"
 #include "quantity/constants.h"
 #include "tests/support/gl_fixture.h"
@@ -32,7 +31,7 @@ glsl::ShadowPair pairOver(double radius, Angle sunZenith, double moonDistance) {
 
 // Measured over eleven heights of the Sun (SKY_ALL_ROWS=1): 0.6 %, and 1.2 % up to 7 degrees high.
 TEST_F(EclipsedSourceGlTest, NodesStandForTheShadowsBetweenThem) {
-  auto const medium = readMedium(catalogsFolder() / "atmospheres/reference_bruneton2017.toml");
+  auto const medium = readMedium(mediumFile("reference_bruneton2017"));
   std::vector<Length> const wavelengths{440.0 * nanometre, 550.0 * nanometre, 680.0 * nanometre};
   SkySampler nodes(medium, wavelengths, AirQuality{}, Angle(0.0), true);
   SkySampler alone(medium, wavelengths, AirQuality{}, Angle(0.0), false);
@@ -63,7 +62,7 @@ TEST_F(EclipsedSourceGlTest, NodesStandForTheShadowsBetweenThem) {
 // A quarter of an hour of an eclipse, the shadow at 0.7 km/s: hardly a node more than at its
 // beginning, and an instant whose nodes are there costs no solution.
 TEST_F(EclipsedSourceGlTest, AFilmSharesItsNodes) {
-  auto const medium = readMedium(catalogsFolder() / "atmospheres/earth.toml");
+  auto const medium = readMedium(mediumFile("earth"));
   AirTables const tables(
       medium, medium.radius,
       {440.0 * nanometre, 500.0 * nanometre, 550.0 * nanometre, 680.0 * nanometre},

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "document/paths.h"
 #include "passes/body_shadows.h"
 #include "quantity/constants.h"
 #include "tests/support/gl_fixture.h"
@@ -30,7 +29,7 @@ TEST_F(RefractedLightGlTest, ProgramsReadTheLightOfTheShadow) {
                                      foot + toSun * distance, {kSolarRadiusIau, earth, earth});
   Length const reach = 1737.4 * kilometre;
   BodyShadows const shadows({pair}, 1.0, LimbDarkeningLaw::Hestroffer, four, reach);
-  Medium const medium = readMedium(catalogsFolder() / "atmospheres/earth.toml");
+  Medium const medium = readMedium(mediumFile("earth"));
   auto const table = std::make_shared<RefractedShadowTable>(medium, earth, kSolarRadiusIau, four,
                                                             LimbDarkeningLaw::Hestroffer);
   RefractedLight light({table}, 4, reach);

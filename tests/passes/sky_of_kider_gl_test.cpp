@@ -29,7 +29,7 @@ TEST_F(SkyOfKiderGlTest, FollowsDisort) {
   std::vector<Length> wavelengths;
   for (auto const& c : columns) wavelengths.push_back(std::stod(c) * nanometre);
   const char* const preset = std::getenv("SKY_PRESET");
-  Medium const medium = readMedium(catalogsFolder() / "atmospheres" / "reference_kider2013.toml");
+  Medium const medium = readMedium(mediumFile("reference_kider2013"));
   SkySampler sampler(medium, wavelengths, AirQuality::preset(preset ? preset : "accurate"));
   std::map<double, std::vector<CsvRow>> suns;
   for (auto const& row : rows) suns[row.number("sun_zenith_deg")].push_back(row);

@@ -44,9 +44,8 @@ TEST_F(SkyOfMediaGlTest, FollowsThePathTracerInAnyAir) {
   ASSERT_FALSE(media.empty());
   for (auto const& [name, calls] : media) {
     std::string const invented = root + "media/" + name + ".toml";
-    Medium const medium = readMedium(std::filesystem::exists(invented)
-                                         ? std::filesystem::path(invented)
-                                         : catalogsFolder() / "atmospheres" / (name + ".toml"));
+    Medium const medium = readMedium(
+        std::filesystem::exists(invented) ? std::filesystem::path(invented) : mediumFile(name));
     std::vector<Length> const wavelengths{450.0 * nanometre, 650.0 * nanometre};
     SkySampler sampler(medium, wavelengths, quality);
     Sum all;

@@ -78,7 +78,7 @@ TEST(AirQuality, RefusesAScaleThatIsNoPowerOfTwo) {
 }
 
 TEST_F(SkySamplerGlTest, FollowsTheMonteCarloReference) {
-  auto const medium = readMedium(catalogsFolder() / "atmospheres/reference_bruneton2017.toml");
+  auto const medium = readMedium(mediumFile("reference_bruneton2017"));
   auto const rows = referenceRows();
   ASSERT_GT(rows.size(), 50u);
   struct Sum {
@@ -128,7 +128,7 @@ TEST_F(SkySamplerGlTest, FollowsTheMonteCarloReference) {
 // Tables in 16 bits against the same in 32, from noon to nautical twilight: 2^-11 of each value,
 // and no underflow.
 TEST_F(SkySamplerGlTest, HalfFloatsHoldTheTwilight) {
-  auto const medium = readMedium(catalogsFolder() / "atmospheres/earth.toml");
+  auto const medium = readMedium(mediumFile("earth"));
   std::vector<Length> const wavelengths{440.0 * nanometre, 550.0 * nanometre, 680.0 * nanometre};
   AirQuality quality;
   SkySampler whole(medium, wavelengths, quality);
@@ -159,7 +159,7 @@ TEST_F(SkySamplerGlTest, HalfFloatsHoldTheTwilight) {
 // Where the ground meets the sky nothing stands out: from 60 m up, across the horizon, against the
 // single-scattering integrator. The picture's own sky table has steps of 0.02 degrees there.
 TEST_F(SkySamplerGlTest, CrossesTheHorizonLikeTheIntegrator) {
-  auto const medium = readMedium(catalogsFolder() / "atmospheres/earth.toml");
+  auto const medium = readMedium(mediumFile("earth"));
   Length const wavelength = 550.0 * nanometre;
   AirQuality quality;
   quality.orders = 0;

@@ -52,7 +52,7 @@ bool closedFromBothSides(const CsvRow& row) {
 }
 
 TEST_F(TwoShadows, LightUnderTheirUnionFollowsThePathTracer) {
-  auto const medium = readMedium(catalogsFolder() / "atmospheres/reference_bruneton2017.toml");
+  auto const medium = readMedium(mediumFile("reference_bruneton2017"));
   std::map<std::vector<std::pair<double, double>>, std::vector<CsvRow>> places;
   for (auto const& row : readCsv(rootFolder() / "tests/authorities/two_shadows_path_traced.csv"))
     places[moonsOf(row)].push_back(row);
@@ -108,7 +108,7 @@ TEST_F(TwoShadows, LightUnderTheirUnionFollowsThePathTracer) {
 
 // Whatever one Moon leaves, a second at the same place leaves too, and one far away takes nothing.
 TEST_F(TwoShadows, ASecondMoonBehindTheFirstOrFarAwayChangesNothing) {
-  auto const medium = readMedium(catalogsFolder() / "atmospheres/reference_bruneton2017.toml");
+  auto const medium = readMedium(mediumFile("reference_bruneton2017"));
   SkySampler sampler(medium, kWavelengths, AirQuality::preset("draft"));
   auto const look = [&](const std::vector<std::pair<double, double>>& moons) {
     SkyRequest request = requestOf(medium, moons);

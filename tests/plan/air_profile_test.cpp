@@ -5,13 +5,11 @@
 
 #include <cmath>
 
-#include "document/paths.h"
-
 namespace antumbra {
 namespace {
 
 TEST(AirProfile, DepthsAreThoseOfTheMediumWithinAPercent) {
-  Medium const medium = readMedium(catalogsFolder() / "atmospheres" / "earth.toml");
+  Medium const medium = readMedium(mediumFile("earth"));
   Length const green = 550.0 * nanometre;
   AirProfile const profile(medium, green);
   double const ground = 6371e3;
@@ -38,7 +36,7 @@ TEST(AirProfile, DepthsAreThoseOfTheMediumWithinAPercent) {
 
 // A Sun in the very zenith, whose cosine rounding lifts above 1.
 TEST(AirProfile, RoundingMakesNoRootOfANegative) {
-  Medium const medium = readMedium(catalogsFolder() / "atmospheres" / "earth.toml");
+  Medium const medium = readMedium(mediumFile("earth"));
   AirProfile const profile(medium, 550.0 * nanometre);
   double const above = std::nextafter(1.0, 2.0);
   EXPECT_GT(profile.passed(6371e3, above, 6371e3), 0.1);
