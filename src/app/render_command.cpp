@@ -15,6 +15,7 @@
 #include "gl/context.h"
 #include "output/image_file.h"
 #include "picture/picture_renderer.h"
+#include "plan/explanation.h"
 
 namespace antumbra {
 namespace {

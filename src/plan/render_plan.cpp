@@ -7,13 +7,12 @@
 #include <numbers>
 #include <set>
 
-#include "atmosphere/bent_sunlight.h"
-#include "document/paths.h"
 #include "eclipse/shadow_convention.h"
 #include "eclipse/shadow_pair.h"
 #include "geodesy/site.h"
 #include "photometry/magnitude.h"
 #include "photometry/standard_spectra.h"
+#include "plan/planned_passes.h"
 
 namespace antumbra {
 namespace {
@@ -21,16 +20,10 @@ namespace {
 // Air reaches no higher than this above any catalogued body's spheroid in units of its radius; only
 // used to enlarge rectangles and cones, so generous. The highest, Titan's, ends at 0.195.
 constexpr double kAirReach = 0.2;
-// Below this diameter in pixels a body is a point of light.
-constexpr double kPointPixels = 0.5;
 
 Angle angularRadius(Length radius, Length distance) {
   if (distance <= radius) return Angle(std::numbers::pi);
   return Angle(std::asin(radius / distance));
-}
-
-std::string pixels(double p) {
-  return p >= 10 ? fmt::format("{:.0f} px", p) : fmt::format("{:.2f} px", p);
 }
 
 bool overlapsPicture(const Projection& picture, Direction<CameraAxes> direction, Angle radius) {
@@ -183,17 +176,6 @@ void addPlanetshine(const PlacedScene& placed, const PlacedBody& receiver, Plann
   }
 }
 
-// How the Sun's surroundings look, and by whose word.
-std::string coronaReason(const Scene& scene, Instant when) {
-  SunSettings const& sun = scene.sun;
-  return fmt::format(
-      "{} at {:.2f} of the solar cycle ({}){}",
-      sun.streamers ? "invented streamers about the measured mean" : "smooth",
-      sun.activity.value_or(solarActivity(when)), sun.activity ? "the scene's" : "of the date",
-      sun.prominences == 0 ? std::string()
-                           : fmt::format(", {} invented prominences", sun.prominences));
-}
-
 // The options with which `antumbra sky` gives the light of the camera's own body and its air.
 void addSkyOptions(const Scene& scene, const PlacedScene& placed, RenderPlan& plan) {
   PlacedBody const& anchor = placed.bodies[placed.anchor];
@@ -214,18 +196,6 @@ void addSkyOptions(const Scene& scene, const PlacedScene& placed, RenderPlan& pl
     if (body.name == anchor.body->name && !body.casters.empty())
       plan.sky.push_back(
           {"", fmt::format("without {}, which eclipses the Sun", body.casters.front().name)});
-}
-
-Reason toneMapReason(const Scene& scene) {
-  DisplaySettings const& display = scene.display;
-  if (display.eye)
-    return {"tone map", "for an eye adapted to the half hour before, metered from small pictures"};
-  std::string why = display.automaticExposure ? "to the display, exposed by its own meter"
-                                              : fmt::format("to the display, white at {:g} cd/m2",
-                                                            display.whiteLuminance);
-  if (!display.bracketsStops.empty())
-    why += fmt::format(", and {} more exposures around that", display.bracketsStops.size());
-  return {"tone map", why};
 }
 
 }  // namespace
@@ -280,14 +250,14 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
             {b.body->name,
              fmt::format("a point ({}), and no magnitude is published at a phase angle "
                          "of {:.1f} deg",
-                         pixels(diameter), phaseAngle(b) / degree)});
+                         sizeInPixels(diameter), phaseAngle(b) / degree)});
         continue;
       }
       plan.points.push_back(
           {b.body->name, direction, illuminanceLuxOfMagnitude(*magnitude), b.body->colorIndexBv});
       plan.drawn.push_back(
           {b.body->name, fmt::format("a point of V {:.2f}: its disc is {}, below {} px", *magnitude,
-                                     pixels(diameter), kPointPixels)});
+                                     sizeInPixels(diameter), kPointPixels)});
       continue;
     }
     PlannedBody p;
@@ -339,9 +309,10 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
     if (p.shineLux > 0.0)
       plan.drawn.push_back({b.body->name, fmt::format("also lit by {}, {:.3g} lx at most",
                                                       p.shineFrom, p.shineLux)});
-    plan.drawn.push_back({b.body->name, isAnchor ? fmt::format("the camera is {:.3f} km above it",
-                                                               p.cameraHeight / kilometre)
-                                                 : fmt::format("a disc of {}", pixels(diameter))});
+    plan.drawn.push_back(
+        {b.body->name,
+         isAnchor ? fmt::format("the camera is {:.3f} km above it", p.cameraHeight / kilometre)
+                  : fmt::format("a disc of {}", sizeInPixels(diameter))});
     discs.emplace_back(distance, p);
   }
   std::sort(discs.begin(), discs.end(),
@@ -386,56 +357,9 @@ RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed) {
   if (plan.tables.empty())
     plan.leftOut.push_back({"atmosphere tables", "no body drawn as a disc has air"});
 
-  auto& passes = plan.passes;
-  passes.push_back(
-      {"stars", scene.display.eye
-                    ? "the sky behind everything; daylight drowns them, and the eye's own threshold"
-                    : "the sky behind everything; air and daylight drown them by luminance"});
-  if (!plan.points.empty())
-    passes.push_back(
-        {"points", fmt::format("{} bodies smaller than {} px", plan.points.size(), kPointPixels)});
-  // The Sun comes after what is farther than any air, and before the air that dims it.
-  bool sunPassed = false;
-  auto const passSun = [&] {
-    if (plan.drawSun && !sunPassed) {
-      passes.push_back({"sun", "disc and corona; nothing covers all of it"});
-      passes.push_back({"corona", coronaReason(scene, placed.when)});
-    }
-    sunPassed = true;
-  };
-  if (!plan.drawSun)
-    plan.leftOut.push_back({"sun", !shown ? "left out by the scene; its light stays"
-                                   : plan.sun.hiddenByBody ? "wholly behind " + plan.sun.hiddenBy
-                                                           : "outside the picture"});
-  for (auto const& b : plan.bodies) {
-    if (b.coversSunItself()) passSun();
-    bool const rings = b.rings && !b.rings->bounds.empty();
-    if (rings) passes.push_back({"rings beyond " + b.name, "their far half lies behind the globe"});
-    passes.push_back(
-        {"body " + b.name,
-         fmt::format(
-             "{}{}{}",
-             b.cameraInAir ? "the camera is in its air" : "a disc of " + pixels(b.diameterPixels),
-             b.atmosphere.empty() ? "" : ", with air",
-             b.casters.empty() ? "" : fmt::format(", shaded by {}", b.casters.size()))});
-    if (rings) passes.push_back({"rings before " + b.name, "their near half covers the globe"});
-  }
-  passSun();
-  if (plan.queryOcclusion)
-    passes.push_back({"occlusion query", "the Sun's disc is in the picture and not wholly hidden"});
-  else
-    plan.leftOut.push_back({"occlusion query", !shown ? "the Sun is left out by the scene"
-                                               : !plan.sun.inPicture
-                                                   ? "the Sun is not in the picture"
-                                               : plan.sun.hiddenByBody
-                                                   ? "the Sun is wholly behind " + plan.sun.hiddenBy
-                                                   : "the illustrative look has no glare"});
-  if (plan.queryOcclusion) passes.push_back({"glare", "the uncovered part of the Sun dazzles"});
-  if (plan.glareFromOutside)
-    passes.push_back({"glare", "the Sun beside the picture dazzles; its visible part by outlines"});
-  passes.push_back(toneMapReason(scene));
+  planPasses(scene, placed.when, plan);
   plan.overlays = planOverlays(scene, placed, plan.bodies);
-  passes.insert(passes.end(), plan.overlays.passes.begin(), plan.overlays.passes.end());
+  plan.passes.insert(plan.passes.end(), plan.overlays.passes.begin(), plan.overlays.passes.end());
   plan.leftOut.insert(plan.leftOut.end(), plan.overlays.leftOut.begin(),
                       plan.overlays.leftOut.end());
   if (plan.shadows.empty())
@@ -463,45 +387,6 @@ void RenderPlan::rescaleBounds(const Projection& before) {
     if (body.rings && !body.rings->bounds.empty()) rescale(body.rings->bounds);
     body.diameterPixels *= factor;
   }
-}
-
-namespace {
-
-// How sunlight travels in an air.
-std::string waysOfSunlight(const Medium& medium) {
-  if (!BentSunlight::bends(medium, medium.radius)) return "straight: no refraction of its own";
-  BentSunlight const rays(medium, medium.radius, Length(0.0),
-                          {{medium.refractivity.at(550.0 * nanometre),
-                            std::vector<double>(medium.constituents.size(), 0.0)}});
-  Angle const lift(std::acos(rays.horizonCosine(0, 0.0)) - 0.5 * std::numbers::pi);
-  return fmt::format("bent and thinned by refraction, {:.1f}' on the ground's horizon",
-                     lift / arcminute);
-}
-
-}  // namespace
-
-std::string explain(const RenderPlan& plan) {
-  std::string out;
-  auto const section = [&](const char* title, const std::vector<Reason>& lines) {
-    out += fmt::format("{}\n", title);
-    if (lines.empty()) out += "  none\n";
-    for (auto const& line : lines) out += fmt::format("  {:<18} {}\n", line.what, line.why);
-  };
-  section("bodies", plan.drawn);
-  section("atmosphere tables", plan.tables);
-  std::vector<Reason> sunlight;
-  std::set<std::string> media;
-  for (auto const& body : plan.bodies)
-    if (!body.atmosphere.empty() && media.insert(body.atmosphere).second)
-      sunlight.push_back(
-          {body.atmosphere, waysOfSunlight(readMedium(catalogsFolder() / "atmospheres" /
-                                                      (body.atmosphere + ".toml")))});
-  section("sunlight in air", sunlight);
-  section("shadow pairs", plan.shadows);
-  section("passes", plan.passes);
-  if (!plan.sky.empty()) section("the same air in numbers", plan.sky);
-  section("left out", plan.leftOut);
-  return out;
 }
 
 }  // namespace antumbra

@@ -69,7 +69,4 @@ struct RenderPlan {
 
 RenderPlan makeRenderPlan(const Scene& scene, const PlacedScene& placed);
 
-// The plan as text for people (`--explain`).
-std::string explain(const RenderPlan& plan);
-
 }  // namespace antumbra

@@ -6,6 +6,7 @@
 
 #include "document/input_error.h"
 #include "document/paths.h"
+#include "plan/explanation.h"
 #include "plan/render_plan.h"
 
 namespace antumbra {

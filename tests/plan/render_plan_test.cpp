@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "document/paths.h"
+#include "plan/explanation.h"
 
 namespace antumbra {
 namespace {
