@@ -152,8 +152,7 @@ Occulter readOcculter(const std::string& text, const SkyQuestion& request) {
 }
 
 Direction<AirFrame> directionAt(double zenithDegrees, double azimuthDegrees) {
-  double const z = zenithDegrees * (degree / radian), a = azimuthDegrees * (degree / radian);
-  return {{std::sin(z) * std::cos(a), std::sin(z) * std::sin(a), std::cos(z)}};
+  return airDirectionOf({zenithDegrees * degree, azimuthDegrees * degree});
 }
 
 // The observer over a body's spheroid, in the sphere that stands for it: its height, the Sun and
@@ -175,9 +174,10 @@ void placeOnSpheroid(const Options& options, double altitudeKm, const Body& body
   request.medium.radius = request.groundRadius = sphere.radius();
   request.camera = {{0.0, 0.0, (sphere.radius() + sphere.height()).si}};
   request.sun.toSun = {{sin(sphere.sunZenith()), 0.0, cos(sphere.sunZenith())}};
-  for (auto& d : request.directions)
-    d = sphere(
-        bodyFromEnu(enu(arcTangent(std::hypot(d.u.x, d.u.y), d.u.z), arcTangent(d.u.y, d.u.x))));
+  for (auto& d : request.directions) {
+    auto const look = skyDirectionOf(d);
+    d = sphere(bodyFromEnu(enu(look.viewZenith, look.relativeAzimuth)));
+  }
 }
 
 void showProgress(double share) {

@@ -1,6 +1,4 @@
 // The sky by the programs that draw pictures, with tables for the wavelengths asked for.
-#include <cmath>
-
 #include "app/sky_methods.h"
 #include "atmosphere/single_scattering.h"
 #include "gl/context.h"
@@ -16,16 +14,13 @@ int colourWavelengths(const std::string& method) {
 SkyRequest skyRequestOf(const SkyQuestion& question) {
   SkyRequest request;
   request.altitude = Length(glm::length(question.camera.m)) - question.medium.radius;
-  glm::dvec3 const& sun = question.sun.toSun.u;
-  request.sunZenith = arcTangent(std::hypot(sun.x, sun.y), sun.z);
+  request.sunZenith = skyDirectionOf(question.sun.toSun).viewZenith;
   request.sunRadius = question.sun.discRadius;
   request.wavelengths = question.wavelengths;
   request.law = question.sun.law;
   request.casters = SunShadow(question.sun, question.wavelengths.front()).pairs();
   request.corona = question.sun.corona;
-  for (auto const& d : question.directions)
-    request.directions.push_back(
-        {arcTangent(std::hypot(d.u.x, d.u.y), d.u.z), arcTangent(d.u.y, d.u.x)});
+  for (auto const& d : question.directions) request.directions.push_back(skyDirectionOf(d));
   return request;
 }
 

@@ -63,22 +63,21 @@ RowTable::Row rowOf(const Measured& m, const std::vector<AirView>& views) {
     return v.error.worst == e.worst;
   });
   auto const& view = views[static_cast<std::size_t>(worst - m.views.begin())];
-  auto const& u = view.question.directions[worst->error.worstDirection].u;
-  RowTable::Row row{
-      {"point", m.point.name},
-      {"luminance_error_percent", cell(100.0 * e.luminance, 3)},
-      {"worst_percent", cell(100.0 * e.worst, 2)},
-      {"worst_view_zenith_deg", cell(arcTangent(std::hypot(u.x, u.y), u.z) / degree, 2)},
-      {"worst_rel_azimuth_deg", cell(arcTangent(u.y, u.x) / degree, 1)},
-      {"delta_e2000", cell(e.deltaE, 3)},
-      {"worst_delta_e2000", cell(e.worstDeltaE, 3)},
-      {"scale_error_percent", cell(100.0 * m.all.scale.luminance, 4)},
-      {"scale_worst_percent", cell(100.0 * m.all.scale.worst, 3)},
-      {"scale_worst_delta_e2000", cell(m.all.scale.worstDeltaE, 3)},
-      {"fill_units", cell(m.all.cost.fillUnits, 3)},
-      {"draw_ms", cell(m.all.cost.milliseconds, 2)},
-      {"precompute_s", cell(m.all.cost.precomputeSeconds, 3)},
-      {"memory_mib", cell(m.all.cost.mebibytes, 2)}};
+  auto const look = skyDirectionOf(view.question.directions[worst->error.worstDirection]);
+  RowTable::Row row{{"point", m.point.name},
+                    {"luminance_error_percent", cell(100.0 * e.luminance, 3)},
+                    {"worst_percent", cell(100.0 * e.worst, 2)},
+                    {"worst_view_zenith_deg", cell(look.viewZenith / degree, 2)},
+                    {"worst_rel_azimuth_deg", cell(look.relativeAzimuth / degree, 1)},
+                    {"delta_e2000", cell(e.deltaE, 3)},
+                    {"worst_delta_e2000", cell(e.worstDeltaE, 3)},
+                    {"scale_error_percent", cell(100.0 * m.all.scale.luminance, 4)},
+                    {"scale_worst_percent", cell(100.0 * m.all.scale.worst, 3)},
+                    {"scale_worst_delta_e2000", cell(m.all.scale.worstDeltaE, 3)},
+                    {"fill_units", cell(m.all.cost.fillUnits, 3)},
+                    {"draw_ms", cell(m.all.cost.milliseconds, 2)},
+                    {"precompute_s", cell(m.all.cost.precomputeSeconds, 3)},
+                    {"memory_mib", cell(m.all.cost.mebibytes, 2)}};
   if (views.size() > 1) {
     row.insert(row.begin() + 3, {"worst_scene", stemOf(view)});
     for (std::size_t i = 0; i < views.size(); ++i) {

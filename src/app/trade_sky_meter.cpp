@@ -100,9 +100,7 @@ SkyError errorOf(const AirView& view, const AirTables& tables, const ReferenceSk
   request.altitude = Length(view.question.camera.m.z) - view.question.medium.radius;
   request.sunZenith = view.sunZenith;
   request.sunRadius = view.question.sun.discRadius;
-  for (auto const& d : view.question.directions)
-    request.directions.push_back(
-        {arcTangent(std::hypot(d.u.x, d.u.y), d.u.z), arcTangent(d.u.y, d.u.x)});
+  for (auto const& d : view.question.directions) request.directions.push_back(skyDirectionOf(d));
   auto colours = coloursOf(view, tables.wavelengths(), sampler.sample(request));
   for (std::size_t d = 0; d < share.size(); ++d) colours[d] *= share[d];
   return errorAgainst(reference, colours);

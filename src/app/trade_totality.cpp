@@ -40,8 +40,7 @@ struct Case {
 };
 
 Direction<AirFrame> towards(double zenithDegrees, double azimuthDegrees) {
-  double const z = zenithDegrees * degree.si, a = azimuthDegrees * degree.si;
-  return {{std::sin(z) * std::cos(a), std::sin(z) * std::sin(a), std::cos(z)}};
+  return airDirectionOf({zenithDegrees * degree, azimuthDegrees * degree});
 }
 
 std::vector<Case> casesOf(const Options& o, const Medium& medium) {

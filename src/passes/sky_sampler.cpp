@@ -17,6 +17,17 @@
 #include "passes/gauss_legendre.h"
 
 namespace antumbra {
+
+Direction<AirFrame> airDirectionOf(const SkyDirection& direction) {
+  Angle const z = direction.viewZenith, a = direction.relativeAzimuth;
+  return {{sin(z) * cos(a), sin(z) * sin(a), cos(z)}};
+}
+
+SkyDirection skyDirectionOf(const Direction<AirFrame>& direction) {
+  glm::dvec3 const& u = direction.u;
+  return {arcTangent(std::hypot(u.x, u.y), u.z), arcTangent(u.y, u.x)};
+}
+
 namespace {
 
 struct Probe {  // std430, passes/air_probe.comp
@@ -28,12 +39,10 @@ std::optional<Probe> probeOf(const Medium& medium, const SkyRequest& request,
                              const SkyDirection& look) {
   double const radius = medium.radius.si, top = medium.topHeight.si;
   double height = request.altitude.si;
-  double const z = cos(look.viewZenith), level = sin(look.viewZenith);
-  glm::dvec3 const direction(level * cos(look.relativeAzimuth), level * sin(look.relativeAzimuth),
-                             z);
+  glm::dvec3 const direction = airDirectionOf(look).u;
   glm::dvec3 const sun(sin(request.sunZenith), 0.0, cos(request.sunZenith));
   glm::dvec3 start(0.0, 0.0, radius + height);
-  double rise = start.z * z;
+  double rise = start.z * direction.z;
   double const groundRoot = rise * rise - height * (2.0 * radius + height);
   if (height > top) {
     double const topRoot = rise * rise - (height - top) * (2.0 * radius + height + top);

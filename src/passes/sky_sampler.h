@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "atmosphere/sunlight.h"
 #include "eclipse/corona_light.h"
 #include "eclipse/limb_darkening.h"
 #include "eclipse/shadow_pair.h"
@@ -20,6 +21,9 @@ struct SkyDirection {
   Angle viewZenith;       // above 90 deg: down
   Angle relativeAzimuth;  // 0 toward the Sun
 };
+// Its unit vector: z through the camera, x toward the Sun's azimuth; and back.
+Direction<AirFrame> airDirectionOf(const SkyDirection& direction);
+SkyDirection skyDirectionOf(const Direction<AirFrame>& direction);
 
 struct SkyRequest {
   Length altitude;       // above the medium's sphere; any height

@@ -47,12 +47,8 @@ TEST_F(Descent, FollowsTheIntegratorFromHeightToHeight) {
         {180.0 * degree, Angle(0.0)}, {Angle(0.0), Angle(0.0)}, {Angle(down), 90.0 * degree}};
     auto const found = sampler.sample(request);
     for (std::size_t ray = 0; ray < 3; ++ray) {
-      double const zenith = request.directions[ray].viewZenith.si;
-      double const azimuth = request.directions[ray].relativeAzimuth.si;
-      double const expected =
-          integrator.radiance({{0.0, 0.0, radius + height}},
-                              {{std::sin(zenith) * std::cos(azimuth),
-                                std::sin(zenith) * std::sin(azimuth), std::cos(zenith)}});
+      double const expected = integrator.radiance({{0.0, 0.0, radius + height}},
+                                                  airDirectionOf(request.directions[ray]));
       ASSERT_TRUE(std::isfinite(found[ray]) && found[ray] >= 0.0) << names[ray] << height;
       if (expected <= 0.0) {
         EXPECT_EQ(found[ray], 0.0) << names[ray] << height;

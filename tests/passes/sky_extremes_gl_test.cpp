@@ -124,10 +124,9 @@ TEST_F(SkyExtremesGlTest, FollowsTheIntegratorInAnyMedium) {
       SingleScattering const integrator(medium, sun, wavelength, medium.radius);
       for (std::size_t d = 0; d < found.size(); ++d) {
         auto const& look = request.directions[d];
-        Angle const z = look.viewZenith, a = look.relativeAzimuth;
-        double const expected =
-            integrator.radiance({{0.0, 0.0, (medium.radius + request.altitude).si}},
-                                {{sin(z) * cos(a), sin(z) * sin(a), cos(z)}});
+        Angle const z = look.viewZenith;
+        double const expected = integrator.radiance(
+            {{0.0, 0.0, (medium.radius + request.altitude).si}}, airDirectionOf(look));
         // What is dark, and edges that a float does not resolve, say nothing.
         double const edge = AnyMedium::horizon(medium, request.altitude) / degree;
         if (!(expected > 1e-9) || std::fabs(z / degree - edge) < 1e-3) continue;
@@ -138,7 +137,8 @@ TEST_F(SkyExtremesGlTest, FollowsTheIntegratorInAnyMedium) {
               "%.1f: %.4g for %.4g\n",
               i, any.factor(), medium.radius.si, medium.topHeight.si,
               medium.constituents[1].phase.meanCosine(wavelength), request.altitude.si,
-              request.sunZenith / degree, z / degree, a / degree, found[d], expected);
+              request.sunZenith / degree, z / degree, look.relativeAzimuth / degree, found[d],
+              expected);
       }
     }
   }
