@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 
+#include "atmosphere/hemisphere_nodes.h"
 #include "shared/as_cpp.h"
 
 namespace antumbra {
@@ -153,22 +154,18 @@ double SingleScattering::directIrradiance(Position<AirFrame> point,
 
 double SingleScattering::diffuseIrradiance(Position<AirFrame> point,
                                            Direction<AirFrame> normal) const {
-  int const n = 64;
   glm::dvec3 const z = normal.u;
-  // Azimuths start towards the Sun, so that its aureole falls between nodes in the same way always.
-  glm::dvec3 const sunward = rays_[0].toSun - glm::dot(rays_[0].toSun, z) * z;
+  glm::dvec3 sun(0.0);
+  for (auto const& ray : rays_) sun += ray.weight * ray.toSun;
+  glm::dvec3 const sunward = sun - glm::dot(sun, z) * z;
+  double const level = glm::length(sunward);
   glm::dvec3 const other = std::abs(z.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  glm::dvec3 const x = glm::normalize(glm::length(sunward) > 1e-6 ? sunward : glm::cross(z, other));
-  glm::dvec3 const y = glm::cross(z, x);
+  glm::dvec3 const x = glm::normalize(level > 1e-6 ? sunward : glm::cross(z, other));
+  glm::dmat3 const fromPlane(x, glm::cross(z, x), z);
   double sum = 0.0;
-  for (int i = 0; i < n; ++i) {
-    double const sine2 = (i + 0.5) / n, sine = std::sqrt(sine2), cosine = std::sqrt(1.0 - sine2);
-    for (int k = 0; k < n; ++k) {
-      double const turn = 2.0 * std::numbers::pi * (k + 0.5) / n;
-      sum += radiance(point, {sine * (std::cos(turn) * x + std::sin(turn) * y) + cosine * z});
-    }
-  }
-  return sum * std::numbers::pi / (n * n);
+  for (auto const& node : hemisphereNodes(arcTangent(level, glm::dot(sun, z))))
+    sum += node.weight * radiance(point, {fromPlane * node.direction.u});
+  return sum;
 }
 
 }  // namespace antumbra

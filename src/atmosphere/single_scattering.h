@@ -32,7 +32,7 @@ class SingleScattering {
   double radiance(Position<AirFrame> camera, Direction<AirFrame> direction) const;
   // Irradiance over E0 of a surface with this normal, by the Sun's direct light.
   double directIrradiance(Position<AirFrame> point, Direction<AirFrame> normal) const;
-  // And by light scattered (or reflected) once; 64 x 64 directions, about 0.3 %.
+  // And by light scattered (or reflected) once, summed over hemisphereNodes.
   double diffuseIrradiance(Position<AirFrame> point, Direction<AirFrame> normal) const;
 
  private:

@@ -1,29 +1,13 @@
 #include "passes/gauss_legendre.h"
 
-#include <cmath>
-#include <numbers>
+#include "quantity/gauss_legendre.h"
 
 namespace antumbra {
 
 std::vector<glm::vec4> gaussLegendre(int count) {
   std::vector<glm::vec4> nodes;
-  for (int i = 0; i < count; ++i) {
-    double x = -std::cos(std::numbers::pi * (i + 0.75) / (count + 0.5));
-    double slope = 1.0;
-    for (int iteration = 0; iteration < 50; ++iteration) {
-      double p = 1.0, before = 0.0;
-      for (int n = 1; n <= count; ++n) {
-        double const next = ((2 * n - 1) * x * p - (n - 1) * before) / n;
-        before = p;
-        p = next;
-      }
-      slope = count * (x * p - before) / (x * x - 1.0);
-      double const step = p / slope;
-      x -= step;
-      if (std::fabs(step) < 1e-15) break;
-    }
-    nodes.emplace_back(0.5 * (1.0 + x), 1.0 / ((1.0 - x * x) * slope * slope), 0.0, 0.0);
-  }
+  for (auto const& node : gaussLegendreNodes(count))
+    nodes.emplace_back(node.x, node.weight, 0.0, 0.0);
   return nodes;
 }
 

@@ -1,5 +1,4 @@
-// Gauss-Legendre nodes and weights on [0, 1], by Newton's iteration on the Legendre polynomial from
-// Tricomi's initial guess; exact to 1e-15.
+// Gauss-Legendre nodes on [0, 1] (quantity/gauss_legendre.h) as uniform blocks take them.
 #pragma once
 
 #include <glm/glm.hpp>

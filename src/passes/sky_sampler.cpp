@@ -9,12 +9,12 @@
 #include <numbers>
 #include <optional>
 
+#include "atmosphere/hemisphere_nodes.h"
 #include "document/input_error.h"
 #include "passes/air_sky.h"
 #include "passes/air_tables.h"
 #include "passes/body_shadows.h"
 #include "passes/eclipsed_source.h"
-#include "passes/gauss_legendre.h"
 
 namespace antumbra {
 
@@ -205,26 +205,16 @@ std::vector<SkyIrradiance> SkySampler::irradiance(const SkyRequest& request) {
         fmt::format("irradiance: altitude {} km; allowed: up to the top of the air, "
                     "{} km",
                     request.altitude / kilometre, medium.topHeight / kilometre));
-  // Quadrature over the upper hemisphere: dense toward the horizon and, by azimuth, uniform.
-  auto const zenith = gaussLegendre(32);
-  constexpr int turns = 64;
+  auto const nodes = hemisphereNodes(request.sunZenith);
   SkyRequest sky = request;
   sky.directions.clear();
-  std::vector<double> weights;
-  for (auto const& node : zenith)
-    for (int i = 0; i < turns; ++i) {
-      double const x = static_cast<double>(node.x), cosine = x * x;
-      sky.directions.push_back(
-          {Angle(std::acos(cosine)), Angle(2.0 * std::numbers::pi * (i + 0.5) / turns)});
-      weights.push_back(static_cast<double>(node.y) * 2.0 * x * cosine * 2.0 * std::numbers::pi /
-                        turns);
-    }
+  for (auto const& node : nodes) sky.directions.push_back(skyDirectionOf(node.direction));
   auto const radiances = sample(sky);
   std::size_t const count = request.wavelengths.size();
   std::vector<SkyIrradiance> result(count, {0.0, 0.0});
-  for (std::size_t d = 0; d < weights.size(); ++d)
+  for (std::size_t d = 0; d < nodes.size(); ++d)
     for (std::size_t w = 0; w < count; ++w)
-      result[w].diffuse += weights[d] * radiances[d * count + w];
+      result[w].diffuse += nodes[d].weight * radiances[d * count + w];
   return result;
 }
 

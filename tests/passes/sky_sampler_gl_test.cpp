@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <numbers>
 #include <sstream>
 
 #include "atmosphere/single_scattering.h"
@@ -179,6 +180,39 @@ TEST_F(SkySamplerGlTest, CrossesTheHorizonLikeTheIntegrator) {
         {{0.0, 0.0, medium.radius.si + request.altitude.si}}, {{0.0, sin(z), cos(z)}});
     EXPECT_NEAR(found[i] / expected, 1.0, 0.02) << z / degree << " degrees from the zenith";
   }
+}
+
+// Against twenty times as many directions, even in azimuth and zenith angle, whose steps of 0.7
+// degrees resolve the aureole of Martian dust.
+TEST_F(SkySamplerGlTest, IrradianceHoldsTheAureole) {
+  auto const medium = readMedium(mediumFile("mars"));
+  AirQuality const quality = AirQuality::preset("draft");
+  std::vector<Length> const wavelengths{440.0 * nanometre, 680.0 * nanometre};
+  SkySampler sampler(medium, wavelengths, quality);
+  constexpr int kHeights = 128, kTurns = 512;
+  double worst = 0.0;
+  for (double zenith : {5.0, 60.0}) {
+    SkyRequest request;
+    request.altitude = Length(0.0);
+    request.sunZenith = zenith * degree;
+    request.wavelengths = wavelengths;
+    auto const found = sampler.irradiance(request);
+    for (int i = 0; i < kHeights; ++i)
+      for (int k = 0; k < kTurns; ++k)
+        request.directions.push_back({(i + 0.5) / kHeights * 90.0 * degree,
+                                      Angle(2.0 * std::numbers::pi * (k + 0.5) / kTurns)});
+    auto const radiances = sampler.sample(request);
+    for (std::size_t w = 0; w < 2; ++w) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < request.directions.size(); ++i)
+        sum += 0.5 * sin(2.0 * request.directions[i].viewZenith) * radiances[2 * i + w];
+      double const expected = sum * std::numbers::pi * std::numbers::pi / (kHeights * kTurns);
+      std::printf("Sun %.0f: %.5f for %.5f\n", zenith, found[w].diffuse, expected);
+      worst = std::max(worst, std::fabs(found[w].diffuse / expected - 1.0));
+    }
+  }
+  std::printf("within %.2f %%\n", 100.0 * worst);
+  EXPECT_LT(worst, 0.003);
 }
 
 }  // namespace
