@@ -46,6 +46,14 @@ std::string explained(const CLI::App& program, const CLI::ParseError& error) {
                                           : "a number");
     }
   }
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error))
+    for (const CLI::Option* option : options) {
+      if (!message.starts_with(option->get_name() + ": ")) continue;
+      return option->count() == 0 || option->results().size() <= 1
+                 ? fmt::format("{}: found no value; allowed: one", option->get_name())
+                 : fmt::format("{}: found {} times; allowed: once", option->get_name(),
+                               option->results().size());
+    }
   if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
     std::string known;
     for (const CLI::Option* option : options)

@@ -3,11 +3,11 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <fstream>
-#include <iostream>
-#include <sstream>
+#include <optional>
+#include <set>
 
 #include "app/commands.h"
+#include "app/direction_list.h"
 #include "app/error_option.h"
 #include "app/sky_methods.h"
 #include "atmosphere/scaled_sphere.h"
@@ -23,21 +23,22 @@ namespace antumbra {
 namespace {
 
 struct Options {
-  std::string medium, altitudeKm = "0", sunZenith, directions, wavelengths, method = "reference",
-                      sun = "point", albedo, units = "relative", seed = "1", sunDistanceAu = "1",
-                      error = "0.5%", format = "csv", limbDarkening = "hestroffer", body, latitude,
-                      sunAzimuth, corona;
+  std::string medium, altitudeKm = "0", sunZenith, method = "reference", sun = "point",
+                      units = "relative", seed = "1", sunDistanceAu = "1", error = "0.5%",
+                      format = "csv", limbDarkening = "hestroffer";
+  std::optional<std::string> directions, wavelengths, albedo, body, latitude, sunAzimuth, corona;
   std::vector<std::string> occulters;
   bool irradiance = false, luminance = false;
 };
 
 constexpr Length kMoonRadius{1737.4e3};  // IAU WGCCRE 2015 mean radius
-constexpr const char* kDirectionsHeader = "view_zenith_deg,rel_azimuth_deg";
-
-struct ViewDirection {
-  double zenithDegrees, azimuthDegrees;
-  std::string zenithText, azimuthText;  // printed as they were given
-};
+// Where the first and last of the wavelengths of a colour lie at most and at least: the peaks of
+// the observer's z and x lie at 446 and 599 nm (CIE 1931), with some room.
+constexpr Length kBluest{470e-9}, kReddest{590e-9};
+// Below the sphere, over its radius: the deepest basin, Hellas on Mars, lies 0.24 % below (Smith et
+// al. 1999, Science 284, 1495). Deeper, the air of the ground's density that the methods assume
+// means nothing.
+constexpr double kDeepest = 0.003;
 
 void chosenFrom(const std::string& value, const char* option,
                 const std::vector<std::string>& allowed) {
@@ -47,60 +48,6 @@ void chosenFrom(const std::string& value, const char* option,
     list += (list.empty() ? "" : ", ") + a;
   }
   throw InputError(fmt::format("{}: found \"{}\"; allowed: {}", option, value, list));
-}
-
-double within(const std::string& text, const std::string& where, double low, double high) {
-  double const value = parseNumber(text, where);
-  if (!(value >= low && value <= high))
-    throw InputError(fmt::format("{}: found {}; allowed: {} to {}", where, text, low, high));
-  return value;
-}
-
-std::vector<std::string> cellsOf(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream in(line);
-  for (std::string cell; std::getline(in, cell, ',');) {
-    auto const first = cell.find_first_not_of(" \t\r"), last = cell.find_last_not_of(" \t\r");
-    cells.push_back(first == std::string::npos ? "" : cell.substr(first, last - first + 1));
-  }
-  return cells;
-}
-
-std::vector<ViewDirection> readDirections(const std::string& source) {
-  std::ifstream file;
-  if (source != "-") {
-    file.open(source);
-    if (!file) throw InputError("--directions: " + source + ": cannot be read");
-  }
-  std::istream& in = source == "-" ? std::cin : file;
-  std::string const name = source == "-" ? "standard input" : source;
-  std::vector<ViewDirection> directions;
-  bool header = false;
-  std::string line;
-  for (int number = 1; std::getline(in, line); ++number) {
-    auto const cells = cellsOf(line);
-    if (cells.empty() || (cells.size() == 1 && cells[0].empty()) || cells[0].starts_with("#"))
-      continue;
-    std::string const where = fmt::format("{}:{}", name, number);
-    if (!header) {
-      if (cells.size() != 2 || cells[0] + "," + cells[1] != kDirectionsHeader)
-        throw InputError(fmt::format("{}: found \"{}\"; allowed: the header {}", where, line,
-                                     kDirectionsHeader));
-      header = true;
-      continue;
-    }
-    if (cells.size() != 2)
-      throw InputError(fmt::format("{}: found {} columns; allowed: two, {}", where, cells.size(),
-                                   kDirectionsHeader));
-    directions.push_back({within(cells[0], where + ": view_zenith_deg", 0.0, 180.0),
-                          within(cells[1], where + ": rel_azimuth_deg", -360.0, 360.0), cells[0],
-                          cells[1]});
-  }
-  if (directions.empty())
-    throw InputError(
-        fmt::format("{}: holds no direction; allowed: the header {} and lines of two numbers", name,
-                    kDirectionsHeader));
-  return directions;
 }
 
 std::vector<Length> readWavelengths(const std::string& text, const Medium& medium) {
@@ -117,26 +64,42 @@ std::vector<Length> readWavelengths(const std::string& text, const Medium& mediu
                       cell, first, last));
     wavelengths.push_back(nm * nanometre);
   }
-  if (wavelengths.empty())
-    throw InputError("--wavelengths: found none; allowed: nanometres, separated by commas");
   return wavelengths;
+}
+
+// A luminance and a colour need the spectrum where the eye sees.
+void requireColour(const std::vector<Length>& wavelengths) {
+  if (wavelengths.size() < 3 || wavelengths.front() > kBluest || wavelengths.back() < kReddest)
+    throw InputError(fmt::format(
+        "--wavelengths: found {}, {:g} to {:g} nm, with --luminance; allowed: three or more, "
+        "ascending from {:g} nm or below to {:g} nm or beyond",
+        wavelengths.size(), wavelengths.front() / nanometre, wavelengths.back() / nanometre,
+        kBluest / nanometre, kReddest / nanometre));
+  try {
+    (void)linearSrgbWeights(wavelengths);
+  } catch (const InputError& error) {
+    throw InputError(std::string("--") + error.what());
+  }
 }
 
 // ratio=R,shift-km=S[,azimuth-deg=A]: the shadow's axis passes through a point of the observer's
 // horizontal plane, S km away at azimuth A from that of the Sun.
 Occulter readOcculter(const std::string& text, const SkyQuestion& request) {
   double ratio = NAN, shiftKm = NAN, azimuth = 90.0;
+  std::set<std::string> keys;
   for (auto const& cell : cellsOf(text)) {
     auto const equals = cell.find('=');
     std::string const key = cell.substr(0, equals);
     std::string const value = equals == std::string::npos ? "" : cell.substr(equals + 1);
     std::string const where = "--occulter: " + key;
+    if (!keys.insert(key).second)
+      throw InputError(fmt::format("{}: found twice in \"{}\"; allowed: once", where, text));
     if (key == "ratio")
-      ratio = within(value, where, 1e-6, 300.0);
+      ratio = numberWithin(value, where, 1e-6, 300.0);
     else if (key == "shift-km")
-      shiftKm = within(value, where, -1e9, 1e9);
+      shiftKm = numberWithin(value, where, -1e9, 1e9);
     else if (key == "azimuth-deg")
-      azimuth = within(value, where, -360.0, 360.0);
+      azimuth = numberWithin(value, where, -360.0, 360.0);
     else
       throw InputError(
           fmt::format("--occulter: found \"{}\"; allowed: ratio=, shift-km= and "
@@ -159,8 +122,8 @@ Direction<AirFrame> directionAt(double zenithDegrees, double azimuthDegrees) {
 // the directions, which are given about the spheroid's normal, change a little.
 void placeOnSpheroid(const Options& options, double altitudeKm, const Body& body,
                      SkyQuestion& request) {
-  double const latitude = within(options.latitude, "--latitude", -90.0, 90.0);
-  double const azimuth = within(options.sunAzimuth, "--sun-azimuth", -360.0, 360.0);
+  double const latitude = numberWithin(*options.latitude, "--latitude", -90.0, 90.0);
+  double const azimuth = numberWithin(*options.sunAzimuth, "--sun-azimuth", -360.0, 360.0);
   Footing const footing = footingOn(body, latitude * degree, 0.0 * degree, altitudeKm * kilometre);
   auto const bodyFromEnu = footing.enuFromBody.inverse();
   Angle const sunZenith = arcTangent(request.sun.toSun.u.x, request.sun.toSun.u.z);
@@ -247,20 +210,24 @@ void runSky(const Options& options) {
     throw InputError(
         "--units: found SI with --luminance, whose units are cd/m2 or lx; allowed: one of the two");
 
+  if (options.medium.empty())
+    throw InputError(
+        "--medium: found \"\"; allowed: a medium file, as those of catalogs/atmospheres");
   SkyQuestion request;
   request.medium = readMedium(options.medium);
-  if (!options.albedo.empty())
-    request.medium.groundAlbedo = Spectrum(within(options.albedo, "--albedo", 0.0, 1.0));
+  if (options.albedo)
+    request.medium.groundAlbedo = Spectrum(numberWithin(*options.albedo, "--albedo", 0.0, 1.0));
   double const radiusKm = request.medium.radius / kilometre;
   double const altitudeKm = parseNumber(options.altitudeKm, "--altitude-km");
-  if (!(altitudeKm > -radiusKm && altitudeKm <= 1e12))
-    throw InputError(
-        fmt::format("--altitude-km: found {}; allowed: above {:g} (the centre), up to 1e12",
-                    options.altitudeKm, -radiusKm));
+  if (!(altitudeKm >= -kDeepest * radiusKm && altitudeKm <= 1e12))
+    throw InputError(fmt::format(
+        "--altitude-km: found {}; allowed: {:.4g} ({:g} % of the radius below the ground) to 1e12",
+        options.altitudeKm, -kDeepest * radiusKm, 100.0 * kDeepest));
   request.camera = {{0.0, 0.0, (radiusKm + altitudeKm) * 1e3}};
   request.groundRadius = std::min(request.medium.radius, Length(request.camera.m.z));
-  request.sun.toSun = directionAt(within(options.sunZenith, "--sun-zenith", 0.0, 180.0), 0.0);
-  double const sunDistanceAu = within(options.sunDistanceAu, "--sun-distance-au", 0.01, 1000.0);
+  request.sun.toSun = directionAt(numberWithin(options.sunZenith, "--sun-zenith", 0.0, 180.0), 0.0);
+  double const sunDistanceAu =
+      numberWithin(options.sunDistanceAu, "--sun-distance-au", 0.01, 1000.0);
   if (options.sun == "disc") request.sun.discRadius = kReferenceSolarRadius / sunDistanceAu;
   request.sun.law = parseLimbDarkeningLaw(options.limbDarkening, "--limb-darkening");
   // More of them than a point unites (shaders/shared/several_casters.glsl) have no reference.
@@ -269,21 +236,20 @@ void runSky(const Options& options) {
                                  options.occulters.size(), glsl::kMostDiscs));
   for (auto const& text : options.occulters)
     request.sun.occulters.push_back(readOcculter(text, request));
-  if (!options.corona.empty()) {
+  if (options.corona) {
     if (options.occulters.empty())
       throw InputError("--corona: found without --occulter, past which it shines; allowed: both");
-    request.sun.corona = std::make_shared<CoronaLight>(within(options.corona, "--corona", 0.0, 1.0),
-                                                       request.sun.law);
+    request.sun.corona = std::make_shared<CoronaLight>(
+        numberWithin(*options.corona, "--corona", 0.0, 1.0), request.sun.law);
   }
-  if (options.wavelengths.empty()) {
+  if (!options.wavelengths) {
     if (!options.luminance)
       throw InputError("--wavelengths: missing; it is required without --luminance");
     request.wavelengths = defaultWavelengths(colourWavelengths(options.method));
   } else {
-    request.wavelengths = readWavelengths(options.wavelengths, request.medium);
+    request.wavelengths = readWavelengths(*options.wavelengths, request.medium);
   }
-  if (options.luminance)
-    (void)linearSrgbWeights(request.wavelengths);  // refuses what has no colour
+  if (options.luminance) requireColour(request.wavelengths);
   request.irradiance = options.irradiance;
   request.tracing.relativeError = errorOption(options.error, 1e-5, 1.0);
   long const seed = parseInteger(options.seed, "--seed");
@@ -291,30 +257,40 @@ void runSky(const Options& options) {
   request.tracing.seed = static_cast<uint64_t>(seed);
   std::vector<ViewDirection> views;
   if (!options.irradiance) {
-    if (options.directions.empty())
+    if (!options.directions)
       throw InputError("--directions: missing; it is required without --irradiance");
-    views = readDirections(options.directions);
+    views = readDirections(*options.directions);
     for (auto const& v : views)
       request.directions.push_back(directionAt(v.zenithDegrees, v.azimuthDegrees));
-  } else if (!options.directions.empty()) {
+  } else if (options.directions) {
     throw InputError(
         "--directions: found with --irradiance, which has none; allowed: one of the two");
   }
 
-  if (!options.body.empty()) {
-    if (options.latitude.empty() || options.sunAzimuth.empty())
+  if (options.body) {
+    if (!options.latitude || !options.sunAzimuth)
       throw InputError("--body: found without --latitude or --sun-azimuth; allowed: all three");
     if (!options.occulters.empty())
       throw InputError("--occulter: found with --body; allowed: one of the two");
-    placeOnSpheroid(options, altitudeKm, BodyCatalogue::standard().body(options.body, "--body"),
-                    request);
-  } else if (!options.latitude.empty() || !options.sunAzimuth.empty()) {
+    Body const& body = BodyCatalogue::standard().body(*options.body, "--body");
+    if (body.kind == "star")
+      throw InputError(
+          fmt::format("--body: found {}, a star; allowed: planets and moons", body.name));
+    placeOnSpheroid(options, altitudeKm, body, request);
+  } else if (options.latitude || options.sunAzimuth) {
     throw InputError(fmt::format("{}: found without --body; allowed: all three, or none",
-                                 options.latitude.empty() ? "--sun-azimuth" : "--latitude"));
+                                 options.latitude ? "--latitude" : "--sun-azimuth"));
   }
 
   // Of the Sun at 1 au.
   double const sunlight = std::pow(sunDistanceAu, -2.0);
+
+  double const below = request.medium.radius.si - request.camera.m.z;
+  if (below > 1.0 && options.method != "reference" && options.method != "single")
+    fmt::print(stderr,
+               "antumbra: the camera is {:.3g} km below the ground's sphere; {} shows what is seen "
+               "from that sphere\n",
+               below / 1e3, options.method);
 
   SkyProgress progress;
   if (isatty(STDERR_FILENO)) progress = showProgress;
@@ -337,7 +313,7 @@ void addSkyCommand(CLI::App& program) {
   sky->add_option("--medium", options->medium, "medium file (catalogs/atmospheres/README.md)")
       ->required();
   sky->add_option("--altitude-km", options->altitudeKm,
-                  "camera's height above the ground's sphere, km");
+                  "camera's height above the ground's sphere, km; 0 by default");
   sky->add_option("--sun-zenith", options->sunZenith, "zenith angle of the Sun at the camera, deg")
       ->required();
   sky->add_option(
@@ -348,12 +324,14 @@ void addSkyCommand(CLI::App& program) {
   sky->add_option(
       "--wavelengths", options->wavelengths,
       "nm, separated by commas; with --luminance by default those of the preset, or eight");
-  sky->add_option("--method", options->method, "one of " + methods);
-  sky->add_option("--sun", options->sun,
-                  "point, or disc of 0.004653 rad at 1 au for the sunlight's directions");
+  sky->add_option("--method", options->method, "one of " + methods + "; reference by default");
+  sky->add_option(
+      "--sun", options->sun,
+      "point (by default), or disc of 0.004653 rad at 1 au for the sunlight's directions");
   sky->add_option("--albedo", options->albedo, "of the ground, instead of the medium's");
-  sky->add_option("--units", options->units,
-                  "relative (radiance over the Sun's irradiance, 1/sr) or SI (W m-2 sr-1 nm-1)");
+  sky->add_option(
+      "--units", options->units,
+      "relative (by default: radiance over the Sun's irradiance, 1/sr) or SI (W m-2 sr-1 nm-1)");
   sky->add_option("--sun-distance-au", options->sunDistanceAu,
                   "of the medium's body, for SI units, luminance and the disc; 1 by default");
   sky->add_option("--body", options->body,
@@ -362,9 +340,9 @@ void addSkyCommand(CLI::App& program) {
   sky->add_option("--latitude", options->latitude, "with --body: geodetic, deg");
   sky->add_option("--sun-azimuth", options->sunAzimuth,
                   "with --body: from north through east, deg");
-  sky->add_option("--seed", options->seed, "of the random numbers of the reference");
+  sky->add_option("--seed", options->seed, "of the random numbers of the reference; 1 by default");
   sky->add_option("--stderr", options->error,
-                  "standard error at which the reference stops, as 0.5%");
+                  "standard error at which the reference stops; 0.5% by default");
   sky->add_option("--format", options->format, "csv");
   sky->add_option(
          "--occulter", options->occulters,
@@ -376,7 +354,8 @@ void addSkyCommand(CLI::App& program) {
       "--corona", options->corona,
       "phase of the solar cycle, 0 to 1, of a corona that shines past the occulter; none "
       "by default");
-  sky->add_option("--limb-darkening", options->limbDarkening, "hestroffer, neckel or none");
+  sky->add_option("--limb-darkening", options->limbDarkening,
+                  "hestroffer (by default), neckel or none");
   sky->add_flag("--irradiance", options->irradiance, "direct and diffuse, of the horizontal plane");
   sky->add_flag("--luminance", options->luminance, "cd/m2 (or lx) and chromaticity x, y");
   sky->footer(

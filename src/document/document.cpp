@@ -273,8 +273,9 @@ void Table::finish() const {
 }
 
 Document Document::load(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream)
+  std::ifstream stream;
+  if (!std::filesystem::is_directory(file)) stream.open(file);
+  if (!stream.is_open())
     throw InputError(fmt::format("{}: cannot be read; a TOML file was expected", file.string()));
   std::stringstream content;
   content << stream.rdbuf();

@@ -58,8 +58,9 @@ LimbDarkeningLaw parseLimbDarkeningLaw(std::string_view name, const std::string&
   if (name == "hestroffer") return LimbDarkeningLaw::Hestroffer;
   if (name == "neckel") return LimbDarkeningLaw::Neckel;
   if (name == "none") return LimbDarkeningLaw::None;
-  throw InputError(fmt::format(
-      "{}: limb darkening '{}' is not known; allowed: hestroffer, neckel, none", where, name));
+  throw InputError(
+      fmt::format("{}: found the unknown limb darkening \"{}\"; allowed: hestroffer, neckel, none",
+                  where, name));
 }
 
 LimbProfile limbProfile(LimbDarkeningLaw law, Length wavelength) {

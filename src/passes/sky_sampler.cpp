@@ -1,7 +1,5 @@
 #include "passes/sky_sampler.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -10,7 +8,6 @@
 #include <optional>
 
 #include "atmosphere/hemisphere_nodes.h"
-#include "document/input_error.h"
 #include "passes/air_sky.h"
 #include "passes/air_tables.h"
 #include "passes/body_shadows.h"
@@ -199,12 +196,6 @@ std::vector<SkyIrradiance> sampleSkyIrradiance(const Medium& medium, const SkyRe
 }
 
 std::vector<SkyIrradiance> SkySampler::irradiance(const SkyRequest& request) {
-  Medium const& medium = state_->medium;
-  if (request.altitude > medium.topHeight)
-    throw InputError(
-        fmt::format("irradiance: altitude {} km; allowed: up to the top of the air, "
-                    "{} km",
-                    request.altitude / kilometre, medium.topHeight / kilometre));
   auto const nodes = hemisphereNodes(request.sunZenith);
   SkyRequest sky = request;
   sky.directions.clear();

@@ -69,8 +69,8 @@ class SkySampler {
 std::vector<double> sampleSky(const Medium& medium, const SkyRequest& request,
                               const AirQuality& quality);
 
-// Irradiance on a horizontal surface at the camera over E0, by wavelength: direct and diffuse. The
-// camera is at most at the top of the air.
+// Irradiance from above on a horizontal surface at the camera over E0, by wavelength: direct and
+// diffuse (from above the air none).
 std::vector<SkyIrradiance> sampleSkyIrradiance(const Medium& medium, const SkyRequest& request,
                                                const AirQuality& quality);
 

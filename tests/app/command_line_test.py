@@ -47,6 +47,19 @@ class CommandLine(unittest.TestCase):
         self.refused(["eclipse", "foo"], '"foo"', "list, at, path, map, elements")
         self.refused([*years, "2000", "--form", "csv"], "--form", "allowed: ", "--format")
 
+    def test_options_given_empty_twice_or_bare(self):
+        sky = ["sky", "--medium", "catalogs/atmospheres/earth.toml", "--wavelengths", "550"]
+        self.refused([*sky, "--sun-zenith", "60", "--sun-zenith", "50"], "--sun-zenith",
+                     "found 2 times", "once")
+        self.refused([*sky, "--sun-zenith"], "--sun-zenith", "found no value")
+        self.refused(["sky", "--medium", "", "--sun-zenith", "60"], "--medium", 'found ""')
+        self.refused([*sky, "--sun-zenith", "60", "--directions", ""], "--directions",
+                     "standard input")
+        for option in "--albedo", "--wavelengths", "--corona":
+            self.refused(["sky", "--medium", "catalogs/atmospheres/earth.toml", "--sun-zenith", "60",
+                          "--irradiance", "--luminance", "--occulter", "ratio=1,shift-km=0",
+                          option, ""], option, 'found ""')
+
     def test_explains_without_drawing(self):
         result = run("render", str(SCENES / "luxor_dome.toml"), "--explain")
         self.assertEqual(result.returncode, 0, result.stderr)

@@ -229,6 +229,55 @@ TEST_F(SkyCommand, BadInputNamesOptionFindingAndAllowance) {
   EXPECT_THAT(look("zenith,azimuth\n1,2\n", wave), AllOf(HasSubstr(":1"), HasSubstr("header")));
   EXPECT_THAT(look(kTwo + "200,0\n", wave), AllOf(HasSubstr(":4"), HasSubstr("view_zenith_deg")));
   EXPECT_THAT(look(kTwo + "20\n", wave), AllOf(HasSubstr(":4"), HasSubstr("columns")));
+  EXPECT_THAT(look(kTwo + "20,0,\n", wave), AllOf(HasSubstr(":4"), HasSubstr("3 columns")));
+  EXPECT_THAT(look(kTwo + "20,\n", wave), AllOf(HasSubstr(":4"), HasSubstr("found \"\"")));
+  EXPECT_THAT(look("\x01\xff\n", wave), HasSubstr("found \"\\x01\\xff\""));
+  // The byte order mark of a spreadsheet.
+  EXPECT_THAT(look("\xef\xbb\xbf" + kTwo, wave), testing::StartsWith("view_zenith_deg"));
+  std::string const file = "--medium " + bruneton() + " " + wave, folder = "/tmp";
+  EXPECT_THAT(sky(file + "--directions " + folder),
+              AllOf(HasSubstr("--directions"), HasSubstr("cannot be read")));
+  EXPECT_THAT(sky(wave + "--medium " + folder), HasSubstr("/tmp: cannot be read"));
+}
+
+TEST_F(SkyCommand, RefusesWhatIsEmptyTwiceOrMeansNothing) {
+  std::string const wave = "--sun-zenith 60 --method single --wavelengths ";
+  for (std::string const empty : {"--albedo", "--body", "--latitude", "--sun-azimuth", "--corona"})
+    EXPECT_THAT(look(kTwo, wave + "550 " + empty + " \" \""), HasSubstr(empty)) << empty;
+  EXPECT_THAT(look(kTwo, wave + "\" \""), HasSubstr("--wavelengths: found \"\""));
+  EXPECT_THAT(look(kTwo, wave + "550,"), HasSubstr("--wavelengths: found \"\""));
+  EXPECT_THAT(look(kTwo, wave + "550 --occulter ratio=1,ratio=2,shift-km=0"),
+              AllOf(HasSubstr("ratio"), HasSubstr("allowed: once")));
+  EXPECT_THAT(look(kTwo, wave + "550 --body Sun --latitude 1 --sun-azimuth 2"),
+              AllOf(HasSubstr("found Sun"), HasSubstr("planets and moons")));
+  EXPECT_THAT(look(kTwo, wave + "550 --altitude-km -20"),
+              AllOf(HasSubstr("found -20"), HasSubstr("-19.08")));
+  // No colour without the ends of the visible spectrum.
+  for (std::string const few : {"550", "550,551", "550,600,650", "420,440,460"})
+    EXPECT_THAT(look(kTwo, wave + few + " --luminance"),
+                AllOf(HasSubstr("--luminance"), HasSubstr("470 nm"), HasSubstr("590 nm")))
+        << few;
+  EXPECT_THAT(look(kTwo, wave + "440,440,680 --luminance"),
+              AllOf(HasSubstr("--wavelengths"), HasSubstr("ascending")));
+}
+
+// Nothing is moved without a word: pictures are drawn from the surface at least.
+TEST_F(SkyCommand, SaysThatPresetsLookFromTheGroundAtLeast) {
+  std::string const at = "--sun-zenith 60 --wavelengths 550 --method draft --altitude-km ";
+  testing::internal::CaptureStderr();
+  std::string const below = look(kTwo, at + "-0.43");
+  std::string const note = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(below, look(kTwo, at + "0"));
+  EXPECT_THAT(note, AllOf(HasSubstr("0.43 km below"), HasSubstr("draft")));
+}
+
+// Above the air the sky is black by every method.
+TEST_F(SkyCommand, NoDiffuseLightAboveTheAir) {
+  for (std::string const method : {"draft", "single"})
+    EXPECT_EQ(sky("--medium " + bruneton() +
+                  " --sun-zenith 60 --wavelengths 550 --irradiance --altitude-km 1000 --method " +
+                  method),
+              "wavelength_nm,direct,diffuse\n550,0.5,0\n");
 }
 
 }  // namespace
