@@ -9,7 +9,8 @@
 //   AIR_PHASE_LEVELS  of the phase functions' blur by forward peaks on the way
 //
 // With AIR_HAZY forward peaks (src/medium/forward_peak.h) count as no scattering: depths, the source and what it
-// scatters are those of the rest, and sunlight scattered once keeps its peak, blurred. True depths,
+// scatters are those of the rest, and sunlight scattered once keeps its peak, blurred. Toward the Sun a depth tells
+// what is left of sunlight and of what peaks have turned of it (src/passes/peak_sunlight.h). True depths,
 // for light that must not be turned at all, lie behind the others.
 // Mirrors `AirBlock` in src/passes/air_tables.cpp.
 #ifndef INTERFACE_AIR_GLSL
@@ -61,7 +62,8 @@ layout(binding = 2) uniform sampler2D airDensities;  // over sqrt(height/top), f
                                                      // slope over the level; with AIR_BENT
                                                      // rows of sunlight on the ground follow
 layout(binding = 3) uniform sampler2DArray airDepths;  // of the rest by layer, then true ones;
-                                                       // with AIR_BENT all again toward the Sun
+                                                       // with AIR_BENT or AIR_HAZY all again
+                                                       // toward the Sun
 layout(binding = 4) uniform sampler2DArray airSource;  // a layer: harmonics, irradiance
 // Over phasePlace() of the cosine; by layer and constituent, rows over the blur, then that by moments.
 layout(binding = 5) uniform sampler2D airPhases;
@@ -143,15 +145,16 @@ vec2 sunDepthPlace(AirShell shell, DepthRow row, float sunRise, vec4 texels) {
   return onTexels(depthCoordinatesOf(shell, row, sunRise), texels);
 #endif
 }
-vec4 sunDepthAt(vec2 place, int layer) {
-#if defined(AIR_BENT) && defined(AIR_HAZY)
-  return depthAt(place, layer + 2 * AIR_LAYERS);
+int sunLayer(int layer) {
+#if defined(AIR_HAZY)
+  return layer + 2 * AIR_LAYERS;
 #elif defined(AIR_BENT)
-  return depthAt(place, layer + AIR_LAYERS);
+  return layer + AIR_LAYERS;
 #else
-  return depthAt(place, layer);
+  return layer;
 #endif
 }
+vec4 sunDepthAt(vec2 place, int layer) { return depthAt(place, sunLayer(layer)); }
 #ifdef AIR_BENT
 // Irradiance of the horizontal ground by the Sun itself, over E0.
 vec4 bentSunOnGround(float sunCosine, int layer) {
@@ -166,7 +169,7 @@ vec4 sunOnGround(float sunCosine, int layer) {
 #ifdef AIR_BENT
   return bentSunOnGround(sunCosine, layer);
 #else
-  return max(sunCosine, 0.0) * exp(-depthAt(depthPlace(0.0, sunCosine), layer));
+  return max(sunCosine, 0.0) * exp(-sunDepthAt(depthPlace(0.0, sunCosine), layer));
 #endif
 }
 // The row of levels in the densities' table.

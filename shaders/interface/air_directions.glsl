@@ -9,6 +9,10 @@ struct AirDirection {
   bool down;
 };
 
+#if defined(AIR_HAZY) && !defined(WHOLE_TURN)
+// Denser toward the Sun, where haze sends most: the steps are even in t of azimuth = t - this * sin t.
+const float kTowardSun = 0.5;
+#endif
 uniform ivec2 directionCount;  // zenith angles, half of them below the horizon; azimuths in half a turn (or, with WHOLE_TURN, in all of it)
 layout(std140, binding = 4) uniform DirectionNodes {
   vec4 zenithNodes[64];  // position and weight on [0, 1]
@@ -37,5 +41,9 @@ AirDirection airDirection(int index, float horizon) {
 #endif
   d.azimuth = (float(azimuthIndex) + 0.5) * turn / float(directionCount.y);
   d.weight = abs(span) * slope * node.y * 2.0 * kPi / float(directionCount.y);
+#if defined(AIR_HAZY) && !defined(WHOLE_TURN)
+  d.weight *= 1.0 - kTowardSun * cos(d.azimuth);
+  d.azimuth -= kTowardSun * sin(d.azimuth);
+#endif
   return d;
 }

@@ -198,7 +198,7 @@ SurfaceLight surfaceLight(vec3 normal, vec3 direction, float footprint) {
     sun = exp(-sunDepthAt(sunDepthPlace(airShell(), depthRow(airShell(), 0.0), sunCosine * bodyShape.x,
                                         depthTexels()), layer));
 #elif defined(AIR)
-    sun = exp(-depthAt(depthPlace(0.0, max(sunCosine, 0.0)), layer));
+    sun = exp(-sunDepthAt(depthPlace(0.0, max(sunCosine, 0.0)), layer));
 #endif
 #if defined(SHADOW_PAIRS) && !defined(UNECLIPSED)
     share *= visibleSunlight(position, layer);

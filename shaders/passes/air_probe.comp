@@ -46,7 +46,7 @@ void main() {
 #ifdef AIR_BENT
       vec4 direct = bentSunOnGround(sunCosine, layer);
 #else
-      vec4 direct = sunOnHorizontal(sunCosine, airShape.w) * exp(-depthAt(depthPlace(0.0, max(sunCosine, 0.0)), layer));
+      vec4 direct = sunOnHorizontal(sunCosine, airShape.w) * exp(-sunDepthAt(depthPlace(0.0, max(sunCosine, 0.0)), layer));
 #endif
       vec4 diffuse = sourceAt(ground, irradianceSlice(layer));
 #ifdef SHADOW_PAIRS

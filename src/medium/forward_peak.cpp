@@ -11,7 +11,10 @@ constexpr double kPi = std::numbers::pi;
 // Shares below this are not worth a peak.
 constexpr double kLeastShare = 1e-3;
 constexpr int kMostMoments = 640;
+constexpr int kMostRestMoments = 400;
 constexpr double kSmallMoment = 2e-3;
+// Depth of the rest behind which nothing is seen.
+constexpr double kDark = 20.0;
 
 // Nodes of the sphere, dense forward: cosine = 1 - 2 x^4, midpoints of x in [0, xEnd].
 struct Nodes {
@@ -51,6 +54,8 @@ std::vector<double> moments(const Nodes& nodes, const std::vector<double>& value
   return sum;
 }
 
+}  // namespace
+
 double legendreSum(const std::vector<double>& coefficients, double x) {
   double before = 1.0, now = x, sum = coefficients.empty() ? 0.0 : coefficients[0];
   for (std::size_t l = 1; l < coefficients.size(); ++l) {
@@ -62,8 +67,6 @@ double legendreSum(const std::vector<double>& coefficients, double x) {
   }
   return sum;
 }
-
-}  // namespace
 
 ForwardPeak::ForwardPeak(const PhaseFunction& phase, Length wavelength, int degree, bool apart)
     : phase_(phase), wavelength_(wavelength) {
@@ -97,7 +100,12 @@ ForwardPeak::ForwardPeak(const PhaseFunction& phase, Length wavelength, int degr
   }
   edgeCosine_ = 1.0 - 2.0 * high * high * high * high;
   edgeValue_ = phase.at(wavelength, edgeCosine_);
+  // Light thrown straight back has such a moment too, but no forward peak.
   share_ = within(high);
+  if (share_ < kLeastShare) {
+    share_ = 0.0;
+    return;
+  }
   for (double& m : restMoments_) m -= share_;
 
   Nodes const inside(high, 1200);
@@ -108,6 +116,9 @@ ForwardPeak::ForwardPeak(const PhaseFunction& phase, Length wavelength, int degr
   for (double& m : peakMoments_) m /= total;
   while (peakMoments_.size() > 3 && std::abs(peakMoments_.back()) < kSmallMoment)
     peakMoments_.pop_back();
+  values.clear();
+  for (double c : all.cosines) values.push_back(rest(c));
+  allRestMoments_ = moments(all, values, kMostRestMoments);
 }
 
 double ForwardPeak::peak(double cosine) const {
@@ -129,24 +140,37 @@ double ForwardPeak::restByMoments(double cosine) const {
   return sum + legendreSum(change, cosine);
 }
 
-std::vector<double> blurredPeak(const ForwardPeak& own, const std::vector<double>& meanMoments,
-                                double depth, const std::vector<double>& cosines) {
-  // What crosses no other peak keeps the sharp form; the rest is smooth and summed by moments.
-  double const sharp = std::exp(-depth);
+std::vector<double> blurredPhase(const ForwardPeak& own, const PeaksOnTheWay& way, double depth,
+                                 const std::vector<double>& cosines) {
+  auto const expOver = [](double x) {
+    return std::abs(x) < 1e-6 ? 1.0 + 0.5 * x : std::expm1(x) / x;
+  };
+  auto const momentOf = [](const std::vector<double>& of, std::size_t l) {
+    return l < of.size() ? of[l] : 0.0;
+  };
+  // What crosses no other peak keeps the sharp form; the change of the rest is smooth and summed by
+  // moments.
+  double const sharp = std::exp(-depth), share = own.share();
   auto const& q = own.peakMoments();
-  std::vector<double> blurred;
-  for (std::size_t l = 0; l < q.size() && own.share() > 0.0; ++l) {
-    double const m = l < meanMoments.size() ? meanMoments[l] : 0.0, x = depth * m;
-    double const mean = std::abs(x) < 1e-6 ? std::exp(-depth) * (1.0 + 0.5 * x)
-                                           : (std::exp(x - depth) - std::exp(-depth)) / x;
-    blurred.push_back(own.share() * (2.0 * static_cast<double>(l) + 1.0) / (4.0 * kPi) * q[l] *
-                      (mean - sharp));
+  auto const& r = own.allRestMoments();
+  std::vector<double> change;
+  for (std::size_t l = 0; l < std::max(q.size(), r.size()); ++l) {
+    double const m = momentOf(way.peak, l), turned = depth * (1.0 - m);
+    double sum = share * momentOf(q, l) *
+                 (m > 0.0 ? std::exp(-turned) * expOver(-depth * m) - sharp
+                          : sharp * (expOver(depth * m) - 1.0));
+    if (l < own.restMoments().size())
+      sum += share * (1.0 - momentOf(q, l)) * (expOver(-turned) - 1.0);
+    else
+      sum += momentOf(r, l) *
+             (std::exp(-turned) * expOver(std::min(depth * momentOf(way.rest, l), kDark)) - 1.0);
+    change.push_back((2.0 * static_cast<double>(l) + 1.0) / (4.0 * kPi) * sum);
   }
-  while (!blurred.empty() && std::abs(blurred.back()) < 1e-6 * std::abs(blurred.front()))
-    blurred.pop_back();
+  while (!change.empty() && std::abs(change.back()) < 1e-6 * std::abs(change.front()))
+    change.pop_back();
   std::vector<double> values;
   for (double c : cosines)
-    values.push_back(std::max(sharp * own.peak(c) + legendreSum(blurred, c), 0.0));
+    values.push_back(std::max(own.rest(c) + sharp * own.peak(c) + legendreSum(change, c), 0.0));
   return values;
 }
 

@@ -18,7 +18,7 @@ struct AirQuality {
   int wavelengths = 4;                     // a multiple of 4
   int orders = 4;      // in the source table, the rest as a geometric series; 0: single scattering
   int degree = 4;      // of the harmonics that hold scattered light,
-  int hazeDegree = 5;  // and through haze (AirTables::hazy())
+  int hazeDegree = 6;  // and through haze (AirTables::hazy())
   int depthWidth = 256;        // texels of the optical depth over zenith angle
   int depthHeight = 64;        // and over height
   int sourceWidth = 64;        // texels of the source over the Sun's zenith angle

@@ -10,6 +10,7 @@
 
 #include "medium/forward_peak.h"
 #include "passes/gauss_legendre.h"
+#include "passes/peak_sunlight.h"
 #include "passes/thick_air.h"
 #include "photometry/spectral_weights.h"
 #include "shared/as_cpp.h"
@@ -202,7 +203,7 @@ AirTables::AirTables(const Medium& medium, Length groundRadius,
     quality_.sourceWidth = std::min(quality_.sourceWidth * 3 / 2, 96);
     quality_.sourceHeight = std::min(quality_.sourceHeight * 3 / 2, 32);
     quality_.zenithDirections = std::min(quality_.zenithDirections * 3 / 4 * 2, 16);
-    quality_.azimuthDirections = std::min(quality_.azimuthDirections * 3 / 2, 8);
+    quality_.azimuthDirections = std::min(quality_.azimuthDirections * 3 / 2, 12);
     quality_.sourceSamples = std::min(quality_.sourceSamples, 12);
     ++quality_.orders;
     ++quality_.eclipseOrders;
@@ -215,6 +216,7 @@ AirTables::AirTables(const Medium& medium, Length groundRadius,
                   {"AIR_DEGREE", std::to_string(degree_)},
                   {"AIR_PHASE_LEVELS", std::to_string(kPhaseLevels)}};
   if (hazy_) definitions_.emplace_back("AIR_HAZY", "");
+
   bent_ = BentSunlight::bends(medium, groundRadius);
   if (bent_) definitions_.emplace_back("AIR_BENT", "");
   // Twice the angle by which the top sees the Sun below the ground's horizon, and 5 degrees.
@@ -259,12 +261,12 @@ AirTables::AirTables(const Medium& medium, Length groundRadius,
   orders_ = quality_.orders == 0 ? 0 : quality_.orders + more;
   auto block =
       airBlockOf(&medium, wavelengths_, groundRadius, lowestSunCosine_, sunRadius, order, phases);
-  BentSunTexels const sun = bent_ ? bentSun(medium, order, phases, sunRadius) : BentSunTexels{};
+  BentSunTexels const sun = bent_ ? bentSun(medium, sunRadius) : BentSunTexels{};
   block[2] = glm::vec4(1.0 / sun.reach, sun.lowestCosine, 1.0 / (1.0 - sun.lowestCosine), 0.0);
   block_.write(std::span<const glm::vec4>(block));
   buildDensities(medium, order, phases, sun.ground);
   buildPhases(medium, order, phases);
-  buildDepths(sun.depths);
+  buildDepths(sun, peaksOnTheWay(medium, order, phases));
   buildSource(medium, order, phases);
   measureSource();
   if (quality_.storage == AirStorage::Half) {
@@ -316,26 +318,16 @@ Angle AirTables::discOf(Angle sunRadius) {
   return Angle(standard * std::exp(step * std::round(std::log(sunRadius.si / standard) / step)));
 }
 
-// Of the rest, without forward peaks, then in haze the true ones.
-BentSunTexels AirTables::bentSun(const Medium& medium, const std::vector<std::size_t>& order,
-                                 const AirPhases& phases, Angle sunRadius) const {
+BentSunTexels AirTables::bentSun(const Medium& medium, Angle sunRadius) const {
   std::vector<BentColour> colours;
-  for (bool const withPeaks : {false, true}) {
-    if (withPeaks && !hazy_) continue;
-    for (std::size_t w = 0; w < wavelengths_.size(); ++w) {
-      BentColour colour{medium.refractivity.at(wavelengths_[w]),
-                        std::vector<double>(order.size(), 0.0)};
-      for (std::size_t c = 0; c < order.size(); ++c) {
-        Constituent const& own = medium.constituents[order[c]];
-        double const forward = withPeaks ? 0.0 : phases.of[c][w].share();
-        colour.extinction[order[c]] = own.absorption.at(wavelengths_[w]) +
-                                      own.scattering.at(wavelengths_[w]) * (1.0 - forward);
-      }
-      colours.push_back(std::move(colour));
-    }
+  for (Length w : wavelengths_) {
+    BentColour colour{medium.refractivity.at(w), {}};
+    for (Constituent const& own : medium.constituents)
+      colour.extinction.push_back(own.absorption.at(w) + own.scattering.at(w));
+    colours.push_back(std::move(colour));
   }
   return bentSunTexels(medium, groundRadius_, discOf(sunRadius), colours, quality_.depthWidth,
-                       quality_.depthHeight, kDensityTexels, layers_);
+                       quality_.depthHeight, kDensityTexels);
 }
 
 void AirTables::buildDensities(const Medium& medium, const std::vector<std::size_t>& order,
@@ -372,6 +364,35 @@ void AirTables::buildDensities(const Medium& medium, const std::vector<std::size
   densities_.upload(texels, 4);
 }
 
+// By wavelength.
+std::vector<PeaksOnTheWay> AirTables::peaksOnTheWay(const Medium& medium,
+                                                    const std::vector<std::size_t>& order,
+                                                    const AirPhases& phases) const {
+  std::vector<PeaksOnTheWay> ways;
+  for (std::size_t w = 0; w < wavelengths_.size(); ++w) {
+    PeaksOnTheWay way;
+    auto const add = [](std::vector<double>& to, const std::vector<double>& moments,
+                        double factor) {
+      if (to.size() < moments.size()) to.resize(moments.size(), 0.0);
+      for (std::size_t l = 0; l < moments.size(); ++l) to[l] += factor * moments[l];
+    };
+    for (std::size_t c = 0; c < order.size(); ++c) {
+      ForwardPeak const& phase = phases.of[c][w];
+      if (phase.share() == 0.0) continue;
+      Constituent const& own = medium.constituents[order[c]];
+      double const scattered = own.scattering.at(wavelengths_[w]) *
+                               (own.density.column(Length(0.0), medium.topHeight) / metre);
+      way.depth += phase.share() * scattered;
+      add(way.peak, phase.peakMoments(), phase.share() * scattered);
+      add(way.rest, phase.allRestMoments(), scattered);
+    }
+    for (auto* moments : {&way.peak, &way.rest})
+      for (double& m : *moments) m /= way.depth;
+    ways.push_back(std::move(way));
+  }
+  return ways;
+}
+
 void AirTables::buildPhases(const Medium& medium, const std::vector<std::size_t>& order,
                             const AirPhases& phases) {
   int const rowsEach = hazy_ ? kPhaseLevels + 1 : 1, rows = layers_ * constituents_ * rowsEach;
@@ -384,25 +405,12 @@ void AirTables::buildPhases(const Medium& medium, const std::vector<std::size_t>
       texels[(static_cast<std::size_t>(row * kPhaseTexels) + i) * 4 + k] =
           static_cast<float>(values[i]);
   };
-  // Vertical depth of each wavelength's forward peaks; rows go by its mean over the first layer.
+  // Rows go by the mean depth of forward peaks over the first layer.
   std::size_t const count = order.size();
-  auto const forwardDepth = [&](std::size_t c, std::size_t w) {
-    Constituent const& own = medium.constituents[order[c]];
-    return phases.of[c][w].share() * own.scattering.at(wavelengths_[w]) *
-           (own.density.column(Length(0.0), medium.topHeight) / metre);
-  };
-  std::vector<double> depths(wavelengths_.size(), 0.0);
-  for (std::size_t w = 0; w < depths.size(); ++w)
-    for (std::size_t c = 0; c < count; ++c) depths[w] += forwardDepth(c, w);
-  double const standard = 0.25 * (depths[0] + depths[1] + depths[2] + depths[3]);
+  std::vector<PeaksOnTheWay> const ways = peaksOnTheWay(medium, order, phases);
+  double const standard = 0.25 * (ways[0].depth + ways[1].depth + ways[2].depth + ways[3].depth);
   for (std::size_t w = 0; w < wavelengths_.size(); ++w) {
-    std::vector<double> mean;  // moments of all peaks together
-    for (std::size_t c = 0; c < count; ++c) {
-      auto const& own = phases.of[c][w].peakMoments();
-      double const share = depths[w] > 0.0 ? forwardDepth(c, w) / depths[w] : 0.0;
-      if (mean.size() < own.size()) mean.resize(own.size(), 0.0);
-      for (std::size_t l = 0; l < own.size(); ++l) mean[l] += share * own[l];
-    }
+    PeaksOnTheWay const& way = ways[w];
     for (std::size_t c = 0; c < count; ++c) {
       ForwardPeak const& own = phases.of[c][w];
       int const first = (static_cast<int>(w / 4) * constituents_ + static_cast<int>(c)) * rowsEach;
@@ -416,14 +424,9 @@ void AirTables::buildPhases(const Medium& medium, const std::vector<std::size_t>
         continue;
       }
       for (int level = 0; level < kPhaseLevels; ++level) {
-        auto values = rest;
-        if (own.share() > 0.0) {
-          double const depth = glsl::blurDepth(level, kPhaseLevels - 1) *
-                               (standard > 0.0 ? depths[w] / standard : 1.0);
-          auto const peak = blurredPeak(own, mean, depth, cosines);
-          for (std::size_t i = 0; i < values.size(); ++i) values[i] += peak[i];
-        }
-        put(first + level, w % 4, values);
+        double const depth = glsl::blurDepth(level, kPhaseLevels - 1) *
+                             (standard > 0.0 ? way.depth / standard : 1.0);
+        put(first + level, w % 4, blurredPhase(own, way, depth, cosines));
       }
       put(first + kPhaseLevels, w % 4, byMoments);
     }
@@ -440,13 +443,17 @@ void AirTables::bind() const {
   phases_.bind(5);
 }
 
-void AirTables::buildDepths(const std::vector<float>& bentSun) {
+void AirTables::buildDepths(const BentSunTexels& sun, const std::vector<PeaksOnTheWay>& ways) {
+  int const width = quality_.depthWidth, height = quality_.depthHeight;
   int const straight = hazy_ ? 2 * layers_ : layers_;
-  depths_ = gl::Texture::layers(GL_RGBA32F, quality_.depthWidth, quality_.depthHeight,
-                                bent_ ? 2 * straight : straight);
-  if (bent_) {
-    std::vector<float> texels(bentSun.size(), 0.0f);
-    texels.insert(texels.end(), bentSun.begin(), bentSun.end());
+  depths_ = gl::Texture::layers(GL_RGBA32F, width, height,
+                                hazy_   ? 4 * layers_
+                                : bent_ ? 2 * layers_
+                                        : layers_);
+  if (bent_) {  // true ones, the last
+    std::vector<float> texels(static_cast<std::size_t>(width * height * depths_.depth() * 4), 0.0f);
+    std::copy(sun.depths.begin(), sun.depths.end(),
+              texels.end() - static_cast<std::ptrdiff_t>(sun.depths.size()));
     depths_.upload(texels, 4);
   }
   auto const program = gl::Program::compute("precompute/air_depth.comp", definitions_);
@@ -455,10 +462,14 @@ void AirTables::buildDepths(const std::vector<float>& bentSun) {
   nodes.bind();
   program.use();
   depths_.bindImage(0, GL_WRITE_ONLY);
-  glDispatchCompute(static_cast<GLuint>((quality_.depthWidth + 7) / 8),
-                    static_cast<GLuint>((quality_.depthHeight + 7) / 8),
+  glDispatchCompute(static_cast<GLuint>((width + 7) / 8), static_cast<GLuint>((height + 7) / 8),
                     static_cast<GLuint>(straight));
   glMemoryBarrier(GL_ALL_BARRIER_BITS);
+  if (!hazy_) return;
+  if (!bent_)
+    glCopyImageSubData(depths_.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, layers_, depths_.id(),
+                       GL_TEXTURE_2D_ARRAY, 0, 0, 0, 3 * layers_, width, height, layers_);
+  turnSunlight(depths_, densities_, definitions_, ways, sun.reach);
 }
 
 std::vector<double> AirTables::sourceHeights(const std::vector<double>& levels) const {

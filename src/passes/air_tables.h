@@ -81,13 +81,15 @@ class AirTables {
  private:
   std::vector<double> sourceLevels(const Medium& medium, const std::vector<std::size_t>& order,
                                    const AirPhases& phases) const;
-  BentSunTexels bentSun(const Medium& medium, const std::vector<std::size_t>& order,
-                        const AirPhases& phases, Angle sunRadius) const;
+  BentSunTexels bentSun(const Medium& medium, Angle sunRadius) const;
   void buildDensities(const Medium& medium, const std::vector<std::size_t>& order,
                       const AirPhases& phases, const std::vector<float>& sunOnGround);
   void buildPhases(const Medium& medium, const std::vector<std::size_t>& order,
                    const AirPhases& phases);
-  void buildDepths(const std::vector<float>& bentSun);
+  std::vector<PeaksOnTheWay> peaksOnTheWay(const Medium& medium,
+                                           const std::vector<std::size_t>& order,
+                                           const AirPhases& phases) const;
+  void buildDepths(const BentSunTexels& sun, const std::vector<PeaksOnTheWay>& ways);
   // Of the source's rows, m.
   std::vector<double> sourceHeights(const std::vector<double>& levels) const;
   void buildSource(const Medium& medium, const std::vector<std::size_t>& order,

@@ -78,7 +78,7 @@ glsl::AirShell shellOf(double radius, double top) {
 
 BentSunTexels bentSunTexels(const Medium& medium, Length groundRadius, Angle sunRadius,
                             const std::vector<BentColour>& colours, int width, int height,
-                            int groundTexels, int groundRows) {
+                            int groundTexels) {
   BentSunlight const rays(medium, groundRadius, Length(0.0), colours);
   std::vector<DiscLight> discs;
   for (std::size_t c = 0; c < colours.size(); ++c) discs.emplace_back(rays, c, sunRadius.si);
@@ -128,8 +128,8 @@ BentSunTexels bentSunTexels(const Medium& medium, Length groundRadius, Angle sun
   for (auto const& disc : discs) horizon = std::max(horizon, disc.horizonAt(0.0));
   texels.lowestCosine = std::cos(horizon + sunRadius.si);
   auto const along = static_cast<std::size_t>(groundTexels);
-  texels.ground.assign(along * static_cast<std::size_t>(groundRows) * 4, 0.0f);
-  for (std::size_t c = 0; c < static_cast<std::size_t>(groundRows) * 4; ++c) {
+  texels.ground.assign(along * groups * 4, 0.0f);
+  for (std::size_t c = 0; c < colours.size(); ++c) {
     DiscLight const& disc = discs[c];
     double const own = disc.horizonAt(0.0);
     for (std::size_t x = 0; x < along; ++x) {

@@ -27,10 +27,9 @@ struct BentSunTexels {
 // Exponents of half floats hold it, and its light is below any star's.
 inline constexpr double kDarkDepth = 60.0;
 
-// `colours`: a multiple of four; `groundRows`: how many groups of four the ground takes, the first.
-// `sunRadius` 0: a point. Precondition: BentSunlight::bends().
+// `colours`: a multiple of four. `sunRadius` 0: a point. Precondition: BentSunlight::bends().
 BentSunTexels bentSunTexels(const Medium& medium, Length groundRadius, Angle sunRadius,
                             const std::vector<BentColour>& colours, int width, int height,
-                            int groundTexels, int groundRows);
+                            int groundTexels);
 
 }  // namespace antumbra

@@ -83,7 +83,7 @@ TEST(BentSunTexels, FollowTheRayEquationOverTheDisc) {
     AirQuality const quality = AirQuality::preset(preset);
     int const width = quality.depthWidth, height = quality.depthHeight;
     auto const texels =
-        bentSunTexels(medium, medium.radius, Angle(sunRadius), colours, width, height, 64, 1);
+        bentSunTexels(medium, medium.radius, Angle(sunRadius), colours, width, height, 64);
     auto const lightAt = [&](double h, double zenith, int channel) {
       auto const place = glsl::sunCoordinatesOf(
           shell, glsl::depthRow(shell, h), (radius + h) * std::cos(zenith), 1.0 / texels.reach);
