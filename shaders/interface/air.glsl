@@ -36,7 +36,7 @@
 layout(std140, binding = 1) uniform Air {
   vec4 airShape;  // ground radius m, top m, lowest Sun cosine of the source table, Sun's radius rad
   vec4 airReach;  // from a point of the ground along its horizon to the top, m; 1 / that; 1 / top;
-                  // radiance of a value of the source table
+                  // light of a value of the source table
   vec4 airBent;   // bent sunlight: 1 / reach of its table, lowest cosine at the ground, 1 / (1 - that)
   vec4 airGroundAlbedo[AIR_LAYERS];
   vec4 airScattering[AIR_LAYERS * AIR_CONSTITUENTS];  // 1/m at density 1
@@ -240,9 +240,42 @@ float nodeOfHeight(AirLeg leg, LegSpan span, float height) {
 // Slices of the source table.
 int harmonicSlice(int layer, int harmonic) { return layer * (AIR_HARMONICS + 1) + harmonic; }
 int irradianceSlice(int layer) { return harmonicSlice(layer, AIR_HARMONICS); }
-// A slice of the source table, 1/sr.
+// Mean radiance and irradiance are held by their eighth roots, harmonics over the mean: twilight falls
+// by a factor of four from one cell to the next, and linear steps of the light itself would make it a
+// quarter too bright between them, in every order again. With roots 3 %; and no light at all remains
+// none. The solver for thick air takes differences of either sign: there all is held as it is.
+vec4 rootOfLight(vec4 light) {
+#ifdef AIR_THICK
+  return light;
+#else
+  return pow(max(light, vec4(0.0)), vec4(0.125));
+#endif
+}
+vec4 lightOfRoot(vec4 held) {
+#ifdef AIR_THICK
+  return held;
+#else
+  vec4 square = held * held, fourth = square * square;
+  return fourth * fourth;
+#endif
+}
+vec4 overMean(vec4 harmonic, vec4 mean) {
+#ifdef AIR_THICK
+  return harmonic;
+#else
+  return mix(vec4(0.0), harmonic / max(mean, vec4(1e-30)), greaterThan(mean, vec4(1e-30)));
+#endif
+}
+// A slice of the source table as it is held.
 vec4 sourceAt(vec2 place, int slice) {
-  return airReach.w * textureLod(airSource, vec3(place, float(slice)), 0.0);
+  return textureLod(airSource, vec3(place, float(slice)), 0.0);
+}
+// Mean radiance and irradiance over E0, 1/sr and 1.
+vec4 sourceMean(vec2 place, int layer) {
+  return airReach.w * lightOfRoot(sourceAt(place, harmonicSlice(layer, 0)));
+}
+vec4 sourceIrradiance(vec2 place, int layer) {
+  return airReach.w * lightOfRoot(sourceAt(place, irradianceSlice(layer)));
 }
 
 // Where the source table holds a height (by its root, rootHeight) and a Sun.

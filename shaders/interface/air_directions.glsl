@@ -13,6 +13,11 @@ struct AirDirection {
 // Denser toward the Sun, where haze sends most: the steps are even in t of azimuth = t - this * sin t.
 const float kTowardSun = 0.5;
 #endif
+// Steps of the cosine grow by exp(kDirectionGrowth) from the horizon to the zenith: the arch of
+// twilight, a few degrees high, has two or three of a preset's six directions, where squares leave it
+// one and err by half of the light.
+const float kDirectionGrowth = 3.5;
+
 uniform ivec2 directionCount;  // zenith angles, half of them below the horizon; azimuths in half a turn (or, with WHOLE_TURN, in all of it)
 layout(std140, binding = 4) uniform DirectionNodes {
   vec4 zenithNodes[64];  // position and weight on [0, 1]
@@ -26,11 +31,13 @@ AirDirection airDirection(int index, float horizon) {
   d.down = zenithIndex < half_;
   vec4 node = zenithNodes[d.down ? zenithIndex : zenithIndex - half_];
   float span = d.down ? -1.0 - horizon : 1.0 - horizon;
-  // In an eclipse the light comes from near the horizon.
-#ifdef WHOLE_TURN
+#if defined(WHOLE_TURN)  // in an eclipse the light comes from near the horizon
   float warped = node.x * node.x * node.x, slope = 3.0 * node.x * node.x;
-#else
+#elif defined(AIR_THICK)
   float warped = node.x * node.x, slope = 2.0 * node.x;
+#else
+  float far = exp(kDirectionGrowth * node.x), farthest = exp(kDirectionGrowth);
+  float warped = (far - 1.0) / (farthest - 1.0), slope = kDirectionGrowth * far / (farthest - 1.0);
 #endif
   d.cosine = clamp(horizon + span * warped, -1.0, 1.0);
   d.sine = sqrt(max(1.0 - d.cosine * d.cosine, 0.0));

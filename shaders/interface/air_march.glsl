@@ -228,7 +228,7 @@ SourceParts sourcePartsAt(vec2 at, AirPoint p, float sense, float sunAlong, vec3
                           vec3 direction, int degree, int layer) {
   SunFrame f = sunFrame(sense * p.cosine, p.sunCosine, sunAlong);
   SourceParts parts;
-  parts.of[0] = sourceAt(at, harmonicSlice(layer, 0));
+  parts.of[0] = sourceMean(at, layer);
   parts.of[1] = f.z * sourceAt(at, harmonicSlice(layer, 1)) +
                 f.x * sourceAt(at, harmonicSlice(layer, 2));
   parts.of[2] = (1.5 * f.z * f.z - 0.5) * sourceAt(at, harmonicSlice(layer, 3)) +
@@ -245,6 +245,12 @@ SourceParts sourcePartsAt(vec2 at, AirPoint p, float sense, float sunAlong, vec3
     h = higherOrder(h, f, m);
   }
 #endif
+#ifdef AIR_THICK
+  vec4 mean = vec4(airReach.w);
+#else
+  vec4 mean = parts.of[0];
+#endif
+  for (int l = 1; l <= AIR_DEGREE; ++l) parts.of[l] *= mean;
 #ifdef AIR_ECLIPSED_SOURCE
 #ifdef ECLIPSED_DIRECTIONS
   vec4 share = eclipsedShareToward(where, p.height, direction, layer);

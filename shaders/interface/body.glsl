@@ -242,7 +242,7 @@ SurfaceLight surfaceLight(vec3 normal, vec3 direction, float footprint) {
 #endif
 #endif
 #ifdef AIR
-    vec4 diffuse = sourceAt(sourcePlace_, irradianceSlice(layer));
+    vec4 diffuse = sourceIrradiance(sourcePlace_, layer);
 #ifdef ECLIPSED_SOURCE
     diffuse *= eclipsedShare(position, 0.0, 1, layer);
 #endif

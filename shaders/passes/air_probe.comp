@@ -48,7 +48,7 @@ void main() {
 #else
       vec4 direct = sunOnHorizontal(sunCosine, airShape.w) * exp(-sunDepthAt(depthPlace(0.0, max(sunCosine, 0.0)), layer));
 #endif
-      vec4 diffuse = sourceAt(ground, irradianceSlice(layer));
+      vec4 diffuse = sourceIrradiance(ground, layer);
 #ifdef SHADOW_PAIRS
       vec3 where = ray.start + ray.direction * way.length;
       direct *= visibleSunlight(where, layer);

@@ -10,6 +10,11 @@ uniform int order;  // 1 for sunlight scattered once
 uniform int lastOrder;
 #include "interface/air_directions.glsl"
 
+// A slice as look-ups take it, of a cell with that mean radiance.
+vec4 held(int slice, vec4 value, vec4 mean) {
+  return slice == 0 || slice == AIR_HARMONICS ? rootOfLight(value) : overMean(value, mean);
+}
+
 void main() {
   ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
   int layer = int(gl_GlobalInvocationID.z);
@@ -42,14 +47,19 @@ void main() {
     for (int m = 0; m <= l; ++m) sums[l * (l + 1) / 2 + m] /= harmonicNorm(l, m);
   vec4 tail = vec4(0.0);
   if (order == lastOrder && order > 1) {
-    vec4 before = imageLoad(previous, ivec3(texel, firstLayer));
+    vec4 before = lightOfRoot(imageLoad(previous, ivec3(texel, firstLayer)));
     vec4 ratio = clamp(sums[0] / max(before, vec4(1e-30)), vec4(0.0), vec4(0.98));
     tail = ratio / (1.0 - ratio);
   }
+  // The sum is held as look-ups take it once it is whole.
+  bool whole = order == lastOrder;
+  vec4 mean = vec4(0.0);
   for (int i = 0; i <= AIR_HARMONICS; ++i) {
     ivec3 to = ivec3(texel, firstLayer + i);
-    vec4 sum = order > 1 ? imageLoad(total, to) : vec4(0.0);
-    imageStore(total, to, sum + sums[i] * (1.0 + tail));
-    imageStore(previous, to, sums[i]);
+    vec4 sum = sums[i] * (1.0 + tail);
+    if (order > 1) sum += imageLoad(total, to);
+    if (i == 0) mean = sum;
+    imageStore(total, to, whole ? held(i, sum, mean) : sum);
+    imageStore(previous, to, held(i, sums[i], sums[0]));
   }
 }

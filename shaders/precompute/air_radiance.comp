@@ -40,7 +40,7 @@ void main() {
 #ifdef AIR_SINGLE
       vec4 irradiance = sunOnGround(sunCosine, layer);
 #else
-      vec4 irradiance = sourceAt(ground, irradianceSlice(layer));
+      vec4 irradiance = sourceIrradiance(ground, layer);
 #endif
       sum += irradiance * airGroundAlbedo[layer] / kPi * exp(-depthOfWay(ends, layer));
     }

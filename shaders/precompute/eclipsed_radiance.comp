@@ -111,7 +111,7 @@ void main() {
           ;
 #endif
 #ifdef AIR_SOURCE
-      irradiance += sourceAt(ground, irradianceSlice(layer));
+      irradiance += sourceIrradiance(ground, layer);
 #endif
 #ifdef AIR_VOLUME
       irradiance += heldOnGround(where, layer);

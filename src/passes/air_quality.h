@@ -8,8 +8,8 @@
 namespace antumbra {
 
 // Of the tables of optical depth, phase functions and source, and of the sky tables; densities and
-// the grid about a shadow stay in 32 bits. Half floats hold radiances scaled by their brightest, so
-// that twilight does not underflow.
+// the grid about a shadow stay in 32 bits. Half floats hold radiances by their roots or scaled by
+// their brightest, so that twilight does not underflow.
 enum class AirStorage { Float, Half };
 
 // The defaults are the preset `balanced`.

@@ -593,8 +593,8 @@ void AirTables::measureSource() {
   for (int layer = 0; layer < layers_; ++layer)
     for (std::size_t i = 0; i < slice; ++i) {
       double& most = brightest_[i / 4 % width];
-      most = std::max(most, static_cast<double>(
-                                texels[static_cast<std::size_t>(layer * perLayer) * slice + i]));
+      double const held = texels[static_cast<std::size_t>(layer * perLayer) * slice + i];
+      most = std::max(most, thick_ ? held : std::pow(held, 8.0));
     }
 }
 
@@ -614,7 +614,8 @@ float AirTables::halve() {
   float most = 1e-30f;
   for (float value : source_.readRgba()) most = std::max(most, std::fabs(value));
   // A power of two, so that the scale itself rounds nothing; half of the range is left to spare.
-  float const scale = std::exp2(std::floor(std::log2(0.5f * kLargestHalf / most)));
+  // Roots and shares have no need of it.
+  float const scale = thick_ ? std::exp2(std::floor(std::log2(0.5f * kLargestHalf / most))) : 1.0f;
   source_ = halved(source_, scale, true);
   return 1.0f / scale;
 }

@@ -4,11 +4,13 @@
 //
 // The source is iterated by orders: for every cell the radiance from a set of directions, marched
 // through the previous order's moments with the ground's reflection, is projected on harmonics up
-// to `degree`. For molecules two are exact (their phase function has no others). Of peaked
-// constituents the forward peak counts as no scattering (medium/forward_peak.h): the depths that
-// light is marched with leave it out, and sunlight scattered once keeps it, blurred by the peaks on
-// its way. In air thicker than light reaches the orders converge too slowly: there their fixed
-// point is solved for (passes/thick_air.h). Errors: configs/quality/README.md.
+// to `degree`. Between cells it is interpolated by the eighth root of the mean radiance and by the
+// harmonics' shares of it, for twilight falls by a factor of four from cell to cell. For molecules
+// two degrees are exact (their phase function has no others). Of peaked constituents the forward
+// peak counts as no scattering (medium/forward_peak.h): the depths that light is marched with leave
+// it out, and sunlight scattered once keeps it, blurred by the peaks on its way. In air thicker
+// than light reaches the orders converge too slowly: there their fixed point is solved for
+// (passes/thick_air.h). Errors: configs/quality/README.md.
 //
 // In a medium that refracts, direct sunlight comes along bent rays (bent_sun_texels.h), from a
 // table like that of the depths; what reaches the camera goes straight.

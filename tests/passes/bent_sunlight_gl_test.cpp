@@ -1,9 +1,10 @@
 // Twilight under sunlight that the air bends, as drawn: against rays followed by their differential
-// equation, and against measured zeniths.
+// equation, against the path tracer, and against measured zeniths.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <map>
 
 #include "atmosphere/single_scattering.h"
@@ -139,8 +140,55 @@ TEST_F(BentSunlightGlTest, SingleScatteringFollowsTheRayEquation) {
   }
 }
 
+// From sunset to nautical twilight, all orders. SKY_PRESET=NAME chooses one preset,
+// SHOW_SKY_ERRORS=1 lists rows.
+TEST_F(BentSunlightGlTest, TwilightFollowsThePathTracer) {
+  std::map<double, std::vector<CsvRow>> suns;
+  for (auto const& row : readCsv(rootFolder() / "tests/authorities/twilight_path_tracer.csv"))
+    suns[row.number("sun_zenith_deg")].push_back(row);
+  std::vector<Length> const wavelengths{450.0 * nanometre, 550.0 * nanometre, 650.0 * nanometre};
+  const char* const only = std::getenv("SKY_PRESET");
+  bool const shown = std::getenv("SHOW_SKY_ERRORS") != nullptr;
+  for (std::string const preset : {"draft", "balanced", "accurate"}) {
+    if (only && preset != only) continue;
+    SkySampler sampler(catalogue("earth"), wavelengths, AirQuality::preset(preset));
+    for (auto const& [sunZenith, rows] : suns) {
+      SkyRequest request;
+      request.altitude = 30.0 * metre;
+      request.sunZenith = sunZenith * degree;
+      for (std::size_t i = 0; i < rows.size(); i += wavelengths.size())
+        request.directions.push_back({rows[i].number("view_zenith_deg") * degree,
+                                      rows[i].number("rel_azimuth_deg") * degree});
+      auto const found = sampler.sample(request);
+      ASSERT_EQ(found.size(), rows.size());
+      double mean = 0.0, worst = 0.0, zenith = 0.0;
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        ASSERT_EQ(rows[i].number("wavelength_nm"), wavelengths[i % 3] / nanometre);
+        double const error = found[i] / rows[i].number("radiance") - 1.0;
+        mean += std::fabs(error) / static_cast<double>(rows.size());
+        if (std::fabs(error) > std::fabs(worst)) worst = error;
+        if (rows[i].number("view_zenith_deg") == 0.0 && i % 3 == 1) zenith = error;
+        if (shown)
+          std::printf("%s Sun %g, view %s az %s, %s nm: %+.1f %%\n", preset.c_str(), sunZenith,
+                      rows[i].text("view_zenith_deg").c_str(),
+                      rows[i].text("rel_azimuth_deg").c_str(),
+                      rows[i].text("wavelength_nm").c_str(), 100.0 * error);
+      }
+      std::printf("%-8s Sun %5.1f: mean %.1f %%, worst %+.1f %%; zenith at 550 nm %+.1f %%\n",
+                  preset.c_str(), sunZenith, 100.0 * mean, 100.0 * worst, 100.0 * zenith);
+      // The path tracer's own error is 1 to 3 %. The rest is that of few directions and, in
+      // `draft`, few harmonics. Light interpolated by itself between cells of the source, and
+      // directions in square steps, erred by 35 % in the mean and 70 % at worst.
+      bool const coarse = preset == "draft";
+      EXPECT_LT(mean, coarse ? 0.22 : 0.09) << preset << " " << sunZenith;
+      EXPECT_LT(std::fabs(worst), coarse ? 0.50 : 0.18) << preset << " " << sunZenith;
+      EXPECT_LT(std::fabs(zenith), coarse ? 0.18 : 0.14) << preset << " " << sunZenith;
+    }
+  }
+}
+
 // Magnitudes per square arc second of the zenith as drawn, between what was measured at two
-// mountains, 0.3 mag beside either allowed; and in Maryland.
+// mountains; and in Maryland.
 TEST_F(BentSunlightGlTest, ZenithTwilightLiesBetweenThePublishedOnes) {
   std::map<std::string, std::map<double, double>> published;
   for (auto const& row : readCsv(rootFolder() / "tests/authorities/twilight_zenith_published.csv"))
@@ -183,10 +231,10 @@ TEST_F(BentSunlightGlTest, ZenithTwilightLiesBetweenThePublishedOnes) {
       std::printf("%-8s Sun %3.0f: 2635 m %.2f, Patat %.2f; 2800 m %.2f, Koomen %.2f\n",
                   preset.c_str(), sunZenith, paranal, fitted ? patat->second : NAN, sacramento,
                   koomen);
-      EXPECT_GT(paranal, brightest - 0.3) << sunZenith;
-      EXPECT_LT(paranal, koomen + 0.3) << sunZenith;
-      EXPECT_GT(sacramento, brightest - 0.3) << sunZenith;
-      EXPECT_LT(sacramento, koomen + 0.3) << sunZenith;
+      EXPECT_GT(paranal, brightest) << sunZenith;
+      EXPECT_LT(paranal, koomen) << sunZenith;
+      EXPECT_GT(sacramento, brightest) << sunZenith;
+      EXPECT_LT(sacramento, koomen) << sunZenith;
     }
     SkySampler low(catalogue("earth"), wavelengths, quality);
     for (double sunZenith : {93.0, 96.0, 99.0}) {
@@ -194,9 +242,10 @@ TEST_F(BentSunlightGlTest, ZenithTwilightLiesBetweenThePublishedOnes) {
       double const found = magnitude(low, 30.0, sunZenith);
       std::printf("%-8s Sun %3.0f: 30 m %.2f, Koomen %.2f\n", preset.c_str(), sunZenith, found,
                   maryland);
-      // `balanced` makes the zenith with the Sun 9 degrees down half as bright again as the path
-      // tracer does; Koomen's readings have one or two figures.
-      EXPECT_NEAR(found, maryland, preset == "accurate" ? 0.3 : 0.4) << sunZenith;
+      // Koomen's readings have one or two figures (a "2" may be up to 0.3 mag brighter); the path
+      // tracer's zenith is the drawn one, 0.3 mag fainter than his with the Sun 3 and 6 degrees
+      // down.
+      EXPECT_NEAR(found, maryland, 0.32) << sunZenith;
     }
   }
 }

@@ -26,8 +26,11 @@ double nakedEyeLimit(double luminance) {
 
 struct SeenStar {
   double magnitude;
-  bool shown;
+  int steps;  // of 255, by which it brightens a pixel
 };
+
+// Of the catalogue's stars that a picture is asked for.
+constexpr double kFaintest = 6.5;
 
 struct SkyWithStars {
   double luminance = 0.0;
@@ -36,15 +39,28 @@ struct SkyWithStars {
   double limit() const {
     double best = 0.0;
     int fewest = 1 << 30;
-    for (double m = -1.5; m <= 6.5; m += 0.1) {
+    for (double m = -1.5; m <= kFaintest; m += 0.1) {
       int wrong = 0;
-      for (auto const& s : stars) wrong += (s.magnitude < m) != s.shown;
+      for (auto const& s : stars) wrong += (s.magnitude < m) != (s.steps >= 3);
       if (wrong < fewest) {
         fewest = wrong;
         best = m;
       }
     }
     return best;
+  }
+  // The same where nothing but the steps hides stars, from all that brighten a pixel by enough to
+  // tell and not by so much that the display bends it: the median of where they would brighten it
+  // by 2.5, which rounds to three. Of a dozen stars one that is rounded otherwise does not matter.
+  double limitBySteps() const {
+    std::vector<double> limits;
+    for (auto const& s : stars)
+      if (s.steps >= 2 && s.steps < 60)
+        limits.push_back(s.magnitude + 2.5 * std::log10(s.steps / 2.5));
+    if (limits.empty()) return -1.5;
+    auto const middle = limits.begin() + static_cast<std::ptrdiff_t>(limits.size() / 2);
+    std::nth_element(limits.begin(), middle, limits.end());
+    return std::min(*middle, kFaintest);
   }
 };
 
@@ -78,7 +94,7 @@ SkyWithStars skyAt(const std::string& time, PictureRenderer& renderer, bool eye 
                    luminances.end());
   sky.luminance = luminances[luminances.size() / 2];
   auto const catalogue = StarCatalogue::load(catalogsFolder() / "stars");
-  for (auto const& star : apparentStars(catalogue, placed.when, placed.velocity, 6.5)) {
+  for (auto const& star : apparentStars(catalogue, placed.when, placed.velocity, kFaintest)) {
     auto const pixel = scene.picture.pixelOf(placed.cameraFromIcrs(star.direction));
     if (!pixel) continue;
     int const x = static_cast<int>(pixel->x), y = 639 - static_cast<int>(pixel->y);
@@ -91,7 +107,7 @@ SkyWithStars skyAt(const std::string& time, PictureRenderer& renderer, bool eye 
           most = std::max(most, int{with.srgb[at]} - int{without.srgb[at]});
         }
     sky.stars.push_back(
-        {-2.5 * std::log10(star.illuminance / illuminanceLuxOfMagnitude(0.0)), most >= 3});
+        {-2.5 * std::log10(star.illuminance / illuminanceLuxOfMagnitude(0.0)), most});
   }
   return sky;
 }
@@ -107,7 +123,7 @@ TEST_F(StarsAgainstSky, ComeOutAsTheNakedEyeSeesThem) {
                            "2027-08-02T17:20:00Z", "2027-08-02T10:05:17Z"}) {
     SkyWithStars const sky = skyAt(time, renderer);
     ASSERT_GT(sky.stars.size(), 300u);
-    double const shown = sky.limit(), eye = nakedEyeLimit(sky.luminance);
+    double const shown = sky.limitBySteps(), eye = nakedEyeLimit(sky.luminance);
     std::printf("%s sky %.3g cd/m2: shown to V %.1f, naked eye to %.1f\n", time, sky.luminance,
                 shown, eye);
     bool const likeTotality = sky.luminance > 0.05 && sky.luminance < 1.0;
