@@ -6,7 +6,8 @@
 // Samples are Gauss-Legendre nodes in u (air.glsl, nodeOnLeg) along each leg: dense where air is dense
 // and where a ray is tangent. In air thicker than light reaches (AIR_THICK) they lie on the part of the
 // leg that is seen, dense toward the camera, and between them the source over the extinction is linear
-// in the optical depth: exact where light diffuses, however coarse the steps are.
+// in the optical depth or, of light scattered before, exponential: exact where light diffuses, whether
+// air absorbs or not, however coarse the steps are.
 //   BODY_SUNLIT, BODY_DUSK, BODY_NIGHT  every ray meets the ground; with the Sun above 7 degrees
 //   BODY_SKY                            none does
 #ifndef INTERFACE_AIR_MARCH_GLSL
@@ -314,6 +315,21 @@ StepShares stepShares(vec4 d) {
   shares.far = mix(d * (0.5 - d * (1.0 / 3.0 - d * (0.125 - d / 30.0))), mean - left, thick);
   return shares;
 }
+
+// Light from a step of optical depth d on which the source over the extinction falls or grows
+// exponentially from `near` to `far`, as light does that diffuses in air that absorbs; linearly where
+// the two are not of one kind.
+vec4 exponentialStep(vec4 near, vec4 far, vec4 d) {
+  const float most = 64.0;  // of one to the other
+  StepShares shares = stepShares(d);
+  vec4 linear = near * shares.near + far * shares.far;
+  vec4 ratio = far / mix(vec4(1.0), near, greaterThan(abs(near), vec4(0.0)));
+  vec4 x = d - log(clamp(ratio, 1.0 / most, most));
+  bvec4 steep = greaterThan(abs(x), vec4(0.05));
+  vec4 mean = mix(1.0 - x * (0.5 - x * (1.0 / 6.0 - x / 24.0)), (1.0 - exp(-x)) / mix(vec4(1.0), x, steep), steep);
+  bvec4 alike = greaterThan(min(ratio - 1.0 / most, most - ratio), vec4(0.0));
+  return mix(linear, near * d * mean, alike);
+}
 #endif
 
 vec3 placeOnLeg(AirRay ray, AirLeg leg, float fromLow) {
@@ -366,6 +382,8 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, int first, int end, bo
   float overLast = 1.0 / float(last);
 #ifdef AIR_SOURCE
   ivec2 sourceSize = textureSize(airSource, 0).xy;
+  // Of the node before: source over extinction, depth of the step from it, light that reaches the camera.
+  vec4 nearSource[AIR_LAYERS], nearStep[AIR_LAYERS], nearReaches[AIR_LAYERS];
 #endif
 #endif
   // Loops test at their end: a software renderer runs the body once more where they test before it.
@@ -418,7 +436,8 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, int first, int end, bo
 #endif
 #ifdef AIR_THICK
       vec4 next = max(depthOnLeg(leg, span, topRise, uNext, depths, before[layer], layer), here[layer]);
-      StepShares shares = stepShares(next - here[layer]);
+      vec4 step = next - here[layer];
+      StepShares shares = stepShares(step);
       vec4 reaches = exp(-here[layer]);
       vec4 weight = (left[layer] + reaches * shares.near) / max(takes, vec4(1e-20));
       left[layer] = reaches * shares.far;
@@ -466,10 +485,15 @@ void marchLeg(AirRay ray, AirLeg leg, float u0, float u1, int first, int end, bo
 #endif
 #ifdef AIR_SOURCE
 #ifdef AIR_THICK
-      more *= cubicOverLinear(sourcePlace, sourceSize, layer);
+      more *= cubicOverLinear(sourcePlace, sourceSize, layer) / max(takes, vec4(1e-20));
+#ifndef AIR_BY_MOMENTS  // there also of differences
+      more = max(more, vec4(0.0));
 #endif
-#if defined(AIR_THICK) && defined(AIR_BY_MOMENTS)
-      light.joint[layer] += weight * more;  // also of differences
+      if (n > 0)
+        light.joint[layer] += nearReaches[layer] * exponentialStep(nearSource[layer], more, nearStep[layer]);
+      nearSource[layer] = more;
+      nearStep[layer] = step;
+      nearReaches[layer] = reaches;
 #else
       light.joint[layer] += weight * max(more, vec4(0.0));
 #endif

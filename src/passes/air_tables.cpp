@@ -39,6 +39,8 @@ constexpr double kOrdersPerSquare = 1.0;
 constexpr double kThickAir = 3.0;
 constexpr int kMostSteps = 10;
 constexpr double kEnoughChange = 1e-3;
+// Samples of thick haze on the way to a cell of the source: between them light is exponential.
+constexpr int kThickSamples = 10;
 constexpr int kPhaseLevels = 12;  // of blur by forward peaks
 
 bool scatters(const Constituent& c) {
@@ -90,6 +92,14 @@ std::vector<glm::dvec3> albedoBasis(const std::vector<Length>& wavelengths,
     for (std::size_t i = 0; i < weights.size(); ++i) basis[i] += weights[i] * change;
   }
   return basis;
+}
+
+// The root of height over the top's at which the source's level, of evenly many roots, is `level`.
+double rootAtLevel(const std::vector<double>& levels, double level) {
+  auto const after = std::lower_bound(levels.begin() + 1, levels.end() - 1, level);
+  auto const k = static_cast<std::size_t>(after - levels.begin()) - 1;
+  double const within = std::clamp((level - levels[k]) / (levels[k + 1] - levels[k]), 0.0, 1.0);
+  return (static_cast<double>(k) + within) / static_cast<double>(levels.size() - 1);
 }
 
 std::vector<Length> padded(std::vector<Length> wavelengths) {
@@ -248,13 +258,13 @@ AirTables::AirTables(const Medium& medium, Length groundRadius,
   thick_ = thickest > kThickAir;
   if (thick_) {
     definitions_.emplace_back("AIR_THICK", "");
-    quality_.depthWidth *= 2;
     quality_.depthHeight *= 2;
     // Many heights, fewer directions and Suns: what diffuses has little form.
     quality_.sourceHeight *= 2;
     quality_.sourceWidth = std::min(quality_.sourceWidth, 64);
     quality_.zenithDirections = std::min(quality_.zenithDirections, 12);
-    quality_.azimuthDirections = std::min(quality_.azimuthDirections, 6);
+    quality_.azimuthDirections = std::min(quality_.azimuthDirections, 8);
+    if (hazy_) quality_.sourceSamples = std::min(quality_.sourceSamples, kThickSamples);
   }
   // 0 orders mean single scattering, whatever the air.
   int const more = thick_ ? 0 : static_cast<int>(kOrdersPerSquare * turning * turning);
@@ -264,10 +274,11 @@ AirTables::AirTables(const Medium& medium, Length groundRadius,
   BentSunTexels const sun = bent_ ? bentSun(medium, sunRadius) : BentSunTexels{};
   block[2] = glm::vec4(1.0 / sun.reach, sun.lowestCosine, 1.0 / (1.0 - sun.lowestCosine), 0.0);
   block_.write(std::span<const glm::vec4>(block));
-  buildDensities(medium, order, phases, sun.ground);
+  auto const levels = sourceLevels(medium, order, phases);
+  buildDensities(medium, order, levels, sun.ground);
   buildPhases(medium, order, phases);
   buildDepths(sun, peaksOnTheWay(medium, order, phases));
-  buildSource(medium, order, phases);
+  buildSource(medium, order, phases, levels);
   measureSource();
   if (quality_.storage == AirStorage::Half) {
     block[1].w = halve();
@@ -331,7 +342,8 @@ BentSunTexels AirTables::bentSun(const Medium& medium, Angle sunRadius) const {
 }
 
 void AirTables::buildDensities(const Medium& medium, const std::vector<std::size_t>& order,
-                               const AirPhases& phases, const std::vector<float>& sunOnGround) {
+                               const std::vector<double>& levels,
+                               const std::vector<float>& sunOnGround) {
   int const rows = (constituents_ + 3) / 4 + 1;
   std::vector<float> texels(static_cast<std::size_t>(kDensityTexels * rows * 4), 0.0f);
   for (std::size_t c = 0; c < order.size(); ++c)
@@ -342,16 +354,11 @@ void AirTables::buildDensities(const Medium& medium, const std::vector<std::size
       std::size_t const at = (c / 4) * kDensityTexels * 4 + static_cast<std::size_t>(i) * 4 + c % 4;
       texels[at] = static_cast<float>(medium.constituents[order[c]].density.atMetres(height));
     }
-  auto const levels = sourceLevels(medium, order, phases);
   std::size_t const last = static_cast<std::size_t>((rows - 1) * kDensityTexels * 4);
-  std::size_t k = 0;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     texels[last + 4 * i] = static_cast<float>(levels[i]);
-    double const level = static_cast<double>(i) / (kDensityTexels - 1);
-    while (k + 2 < levels.size() && levels[k + 1] < level) ++k;
-    double const within = std::clamp((level - levels[k]) / (levels[k + 1] - levels[k]), 0.0, 1.0);
     texels[last + 4 * i + 1] =
-        static_cast<float>((static_cast<double>(k) + within) / (kDensityTexels - 1));
+        static_cast<float>(rootAtLevel(levels, static_cast<double>(i) / (kDensityTexels - 1)));
   }
   for (std::size_t i = 0; i < levels.size(); ++i) {
     std::size_t const low = i > 0 ? i - 1 : 0, high = std::min(i + 1, levels.size() - 1);
@@ -474,21 +481,16 @@ void AirTables::buildDepths(const BentSunTexels& sun, const std::vector<PeaksOnT
 
 std::vector<double> AirTables::sourceHeights(const std::vector<double>& levels) const {
   std::vector<double> heights;
-  std::size_t k = 0;
   for (int row = 0; row < quality_.sourceHeight; ++row) {
     double root = static_cast<double>(row) / (quality_.sourceHeight - 1);
-    if (hazy_) {
-      while (k + 2 < levels.size() && levels[k + 1] < root) ++k;
-      double const within = std::clamp((root - levels[k]) / (levels[k + 1] - levels[k]), 0.0, 1.0);
-      root = (static_cast<double>(k) + within) / (kDensityTexels - 1);
-    }
+    if (hazy_) root = rootAtLevel(levels, root);
     heights.push_back(top_.si * std::min(root * root, 0.9999));
   }
   return heights;
 }
 
 void AirTables::buildSource(const Medium& medium, const std::vector<std::size_t>& order,
-                            const AirPhases& phases) {
+                            const AirPhases& phases, const std::vector<double>& levels) {
   int const width = quality_.sourceWidth, height = quality_.sourceHeight;
   int const directions = quality_.zenithDirections * quality_.azimuthDirections;
   // Harmonics and the irradiance.
@@ -546,10 +548,9 @@ void AirTables::buildSource(const Medium& medium, const std::vector<std::size_t>
         glsl::sourceSunCosine(glsl::sunSpan(lowestSunCosine_), column / (width - 1.0)));
   scatter(first, 1, 0);
   auto const once = source_.readRgba();
-  ThickAirSolver solver(
-      thickAirGrid(medium, order, phases, wavelengths_, groundRadius_,
-                   sourceHeights(sourceLevels(medium, order, phases)), sunCosines, moments),
-      once);
+  ThickAirSolver solver(thickAirGrid(medium, order, phases, wavelengths_, groundRadius_,
+                                     sourceHeights(levels), sunCosines, moments),
+                        once);
   int step = 1;
   do {
     previous.upload(solver.direction(), 4);

@@ -85,7 +85,7 @@ class AirTables {
                                    const AirPhases& phases) const;
   BentSunTexels bentSun(const Medium& medium, Angle sunRadius) const;
   void buildDensities(const Medium& medium, const std::vector<std::size_t>& order,
-                      const AirPhases& phases, const std::vector<float>& sunOnGround);
+                      const std::vector<double>& levels, const std::vector<float>& sunOnGround);
   void buildPhases(const Medium& medium, const std::vector<std::size_t>& order,
                    const AirPhases& phases);
   std::vector<PeaksOnTheWay> peaksOnTheWay(const Medium& medium,
@@ -95,7 +95,7 @@ class AirTables {
   // Of the source's rows, m.
   std::vector<double> sourceHeights(const std::vector<double>& levels) const;
   void buildSource(const Medium& medium, const std::vector<std::size_t>& order,
-                   const AirPhases& phases);
+                   const AirPhases& phases, const std::vector<double>& levels);
   // Tables in 16 bits; returns the radiance of a value of the source.
   float halve();
   void measureSource();

@@ -68,6 +68,7 @@ struct ThickAirSolver::Diffusion {
   std::vector<double> transport, turned, faceArea;    // of intervals
   std::vector<double> absorption, scattering, aside;  // of volumes; aside: m times mean free path
   std::vector<double> share, toNext;  // of columns: of cosines; across their borders
+  std::vector<double> factors;        // of the banded matrix
 
   Diffusion(const ThickAirGrid& grid, int wavelength)
       : rows(grid.height),
@@ -113,6 +114,7 @@ struct ThickAirSolver::Diffusion {
       double const edge = borders[index(x + 1)];
       toNext.push_back(std::sqrt(1.0 - edge * edge) / (angle * radius * radius));
     }
+    factors = factored();
   }
 
   double area(double height) const { return std::pow(1.0 + height / radius, 2.0); }
@@ -127,7 +129,7 @@ struct ThickAirSolver::Diffusion {
   // Lower band of the symmetric matrix, columns after each other: element (i, i - k) at i (rows +
   // 1)
   // + k; factored as L D L^T (Golub & Van Loan 2013, Matrix Computations, sect. 4.3).
-  std::vector<double> factors() const {
+  std::vector<double> factored() const {
     int const band = rows, all = rows * columns;
     std::vector<double> m(index(all) * index(band + 1), 0.0);
     auto const element = [&](int i, int back) -> double& {
@@ -174,7 +176,7 @@ ThickAirSolver::ThickAirSolver(ThickAirGrid grid, std::vector<float> once)
     : grid_(std::move(grid)), light_(once.size(), 0.0f), lacking_(std::move(once)) {
   // Cells weigh by what diffusion makes of each.
   for (int w = 0; w < static_cast<int>(grid_.groundAlbedo.size()); ++w) {
-    factors_.push_back(Diffusion(grid_, w).factors());
+    diffusions_.emplace_back(grid_, w);
     diffuse(w, lacking_);
     std::vector<double> bright;
     for (int row = 0; row < grid_.height; ++row)
@@ -186,13 +188,15 @@ ThickAirSolver::ThickAirSolver(ThickAirGrid grid, std::vector<float> once)
   }
 }
 
+ThickAirSolver::~ThickAirSolver() = default;
+
 std::size_t ThickAirSolver::at(int wavelength, int slice, int row, int column) const {
   int const layered = wavelength / 4 * grid_.slices + slice;
   return index(((layered * grid_.height + row) * grid_.width + column) * 4 + wavelength % 4);
 }
 
 void ThickAirSolver::diffuse(int wavelength, std::vector<float>& light) const {
-  Diffusion const d(grid_, wavelength);
+  Diffusion const& d = diffusions_[index(wavelength)];
   int const rows = d.rows, irradiance = grid_.slices - 1;
   auto const given = [&](int slice, int row, int column) {
     return static_cast<double>(light[at(wavelength, slice, row, column)]);
@@ -211,7 +215,7 @@ void ThickAirSolver::diffuse(int wavelength, std::vector<float>& light) const {
       if (row + 1 < rows) sum -= d.faceArea[index(row)] * turnedFlux(row, column);
       c[index(column * rows + row)] = sum * d.share[index(column)];
     }
-  auto const& m = factors_[index(wavelength)];
+  auto const& m = d.factors;
   int const all = rows * d.columns;
   auto const element = [&](int i, int back) { return m[index(i) * index(rows + 1) + index(back)]; };
   for (int i = 0; i < all; ++i)
@@ -255,7 +259,7 @@ double ThickAirSolver::product(int wavelength, const std::vector<float>& a,
 
 double ThickAirSolver::change() const {
   double most = 0.0;
-  for (int w = 0; w < static_cast<int>(factors_.size()); ++w) {
+  for (int w = 0; w < static_cast<int>(diffusions_.size()); ++w) {
     double sum = 0.0;
     for (int row = 0; row < grid_.height; ++row)
       for (int column = 0; column < grid_.width; ++column)
@@ -268,7 +272,7 @@ double ThickAirSolver::change() const {
 }
 
 const std::vector<float>& ThickAirSolver::direction() {
-  steps_.push_back({lacking_, {}, std::vector<double>(factors_.size(), 0.0)});
+  steps_.push_back({lacking_, {}, std::vector<double>(diffusions_.size(), 0.0)});
   return steps_.back().to;
 }
 
@@ -276,7 +280,7 @@ void ThickAirSolver::advance(const std::vector<float>& scattered) {
   Step& now = steps_.back();
   now.gain.resize(light_.size());
   for (std::size_t i = 0; i < light_.size(); ++i) now.gain[i] = now.to[i] - scattered[i];
-  for (int w = 0; w < static_cast<int>(factors_.size()); ++w) {
+  for (int w = 0; w < static_cast<int>(diffusions_.size()); ++w) {
     diffuse(w, now.gain);
     auto const add = [&](std::vector<float>& to, double factor, const std::vector<float>& from) {
       for (int slice = 0; slice < grid_.slices; ++slice) {

@@ -43,6 +43,7 @@ class ThickAirSolver {
  public:
   // `once`: b, as the source table is read: slices of layers, rows, columns, four wavelengths.
   ThickAirSolver(ThickAirGrid grid, std::vector<float> once);
+  ~ThickAirSolver();
   // The next direction z, of which K z is asked for.
   const std::vector<float>& direction();
   void advance(const std::vector<float>& scattered);  // K z
@@ -64,8 +65,8 @@ class ThickAirSolver {
 
   ThickAirGrid grid_;
   std::vector<float> light_, lacking_;
-  std::vector<std::vector<double>> factors_;  // by wavelength: of the banded matrix
-  std::vector<std::vector<double>> scales_;   // and by cell: 1 / brightness
+  std::vector<Diffusion> diffusions_;        // by wavelength
+  std::vector<std::vector<double>> scales_;  // and by cell: 1 / brightness
   std::vector<Step> steps_;
 };
 
