@@ -15,8 +15,12 @@ const float kTowardSun = 0.5;
 #endif
 // Steps of the cosine grow by exp(kDirectionGrowth) from the horizon to the zenith: the arch of
 // twilight, a few degrees high, has two or three of a preset's six directions, where squares leave it
-// one and err by half of the light.
+// one and err by half of the light. Haze has more of them, and light from higher up.
+#ifdef AIR_HAZY
+const float kDirectionGrowth = 1.8;
+#else
 const float kDirectionGrowth = 3.5;
+#endif
 
 uniform ivec2 directionCount;  // zenith angles, half of them below the horizon; azimuths in half a turn (or, with WHOLE_TURN, in all of it)
 layout(std140, binding = 4) uniform DirectionNodes {
