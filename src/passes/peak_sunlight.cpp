@@ -14,11 +14,12 @@ namespace {
 
 // What halving each of these changes is under 1 % of the light
 // (tests/passes/peak_sunlight_gl_test.cpp).
-constexpr int kWidth = 32, kHeight = 48;  // cells over the Sun's zenith angle and height
-constexpr std::size_t kRings = 4;         // of turns by a peak,
-constexpr int kSamples = 8;               // on a leg
-constexpr int kOrders = 10;               // peaks one after another
-constexpr int kAngles = 1000;             // of the cumulative turn
+constexpr int kWidth = 32, kHeight = 48;           // cells over the Sun's zenith angle and height
+constexpr std::size_t kRings = 4;                  // of turns by a peak,
+constexpr int kSamples = 8;                        // on a leg
+constexpr int kLeastOrders = 6, kMostOrders = 40;  // peaks one after another
+constexpr double kDeep = 3.0;  // depth of the rest behind which fewer peaks than pass are followed
+constexpr int kAngles = 1000;  // of the cumulative turn
 
 // Moments to the power of n as light per radian of turn at evenly spaced angles.
 std::vector<double> turnsOf(const std::vector<double>& moments, int n) {
@@ -74,6 +75,15 @@ std::vector<glm::vec4> rings(const std::vector<PeaksOnTheWay>& ways, int n) {
   return block;
 }
 
+// As many as nearly all light meets on its way to that depth.
+int ordersOf(const std::vector<PeaksOnTheWay>& ways) {
+  double most = 0.0;
+  for (auto const& way : ways)
+    if (way.depth > 0.0) most = std::max(most, kDeep / std::max(way.rest.front(), 1e-3));
+  return std::clamp(static_cast<int>(std::ceil(most + 3.0 * std::sqrt(most))) + 2, kLeastOrders,
+                    kMostOrders);
+}
+
 }  // namespace
 
 void turnSunlight(const gl::Texture& depths, const gl::Texture& densities,
@@ -92,7 +102,8 @@ void turnSunlight(const gl::Texture& depths, const gl::Texture& densities,
   glClearTexImage(onGround.id(), 0, GL_RGBA, GL_FLOAT, nullptr);
   QuadratureBlock const nodes(kSamples);
   nodes.bind();
-  for (int order = 1; order <= kOrders; ++order) {
+  int const orders = ordersOf(ways);
+  for (int order = 1; order <= orders; ++order) {
     gl::Buffer block;
     auto const content = rings(ways, order);
     block.write(std::span<const glm::vec4>(content));
